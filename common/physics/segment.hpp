@@ -1,0 +1,35 @@
+// Closed-form motion between two events: p(t) = p0 + v0 t + a t^2 / 2 with a constant acceleration.
+#pragma once
+
+#include "common/physics/ball.hpp"
+#include "common/physics/scene.hpp"
+
+namespace breakshot::physics {
+
+/// The motion of one ball from `start_s` until its next segment begins.
+template <class Real>
+struct BasicSegment {
+  BallId ball{};
+  Phase phase = Phase::rest;
+  Real start_s{};
+  BasicVec2<Real> position;      ///< at start, m
+  BasicVec2<Real> velocity;      ///< at start, m/s
+  BasicVec2<Real> acceleration;  ///< constant, m/s^2
+
+  friend bool operator==(const BasicSegment&, const BasicSegment&) = default;
+};
+
+using Segment = BasicSegment<double>;
+
+template <class Real>
+BasicVec2<Real> position_at(const BasicSegment<Real>& s, Real time_s) {
+  const Real dt = time_s - s.start_s;
+  return s.position + (s.velocity + s.acceleration * (dt / 2)) * dt;
+}
+
+template <class Real>
+BasicVec2<Real> velocity_at(const BasicSegment<Real>& s, Real time_s) {
+  return s.velocity + s.acceleration * (time_s - s.start_s);
+}
+
+}  // namespace breakshot::physics

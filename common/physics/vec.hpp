@@ -1,0 +1,65 @@
+// Vector values of the plane and of space. The unit is that of the thing a vector describes: metres
+// for positions, metres a second for velocities, radians a second for spins.
+#pragma once
+
+#include <cmath>
+
+namespace breakshot::physics {
+
+template <class Real>
+struct BasicVec2 {
+  Real x{};
+  Real y{};
+
+  friend constexpr BasicVec2 operator+(BasicVec2 a, BasicVec2 b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr BasicVec2 operator-(BasicVec2 a, BasicVec2 b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr BasicVec2 operator-(BasicVec2 a) { return {-a.x, -a.y}; }
+  friend constexpr BasicVec2 operator*(BasicVec2 a, Real s) { return {a.x * s, a.y * s}; }
+  friend constexpr BasicVec2 operator*(Real s, BasicVec2 a) { return {a.x * s, a.y * s}; }
+  friend constexpr BasicVec2 operator/(BasicVec2 a, Real s) { return {a.x / s, a.y / s}; }
+  friend constexpr bool operator==(const BasicVec2&, const BasicVec2&) = default;
+};
+
+template <class Real>
+struct BasicVec3 {
+  Real x{};
+  Real y{};
+  Real z{};
+
+  friend constexpr bool operator==(const BasicVec3&, const BasicVec3&) = default;
+};
+
+using Vec2 = BasicVec2<double>;
+using Vec3 = BasicVec3<double>;
+
+template <class Real>
+constexpr Real dot(BasicVec2<Real> a, BasicVec2<Real> b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// The z component of the cross product: positive where b lies to the left of a.
+template <class Real>
+constexpr Real cross(BasicVec2<Real> a, BasicVec2<Real> b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// a turned a quarter to the left.
+template <class Real>
+constexpr BasicVec2<Real> perp(BasicVec2<Real> a) {
+  return {-a.y, a.x};
+}
+
+/// The length, scaled where squares would underflow or overflow; the only function used is sqrt.
+template <class Real>
+Real length(BasicVec2<Real> a) {
+  using std::sqrt;
+  const Real ax = a.x < 0 ? -a.x : a.x;
+  const Real ay = a.y < 0 ? -a.y : a.y;
+  const Real largest = ax < ay ? ay : ax;
+  if (largest > Real(1e-100) && largest < Real(1e100)) return sqrt(dot(a, a));
+  if (!(largest > 0)) return largest;
+  const BasicVec2<Real> scaled = a / largest;
+  return largest * sqrt(dot(scaled, scaled));
+}
+
+}  // namespace breakshot::physics
