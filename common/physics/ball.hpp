@@ -8,16 +8,24 @@
 
 namespace breakshot::physics {
 
-/// Names a ball within a scene; any number. In 8-ball 0 is the cue ball and 1 to 15 the object balls.
+/// Names a ball within a scene; any number. In 8-ball 0 is the cue ball and 1 to 15 the object
+/// balls.
 enum class BallId : std::uint32_t {};
 /// Index of a cushion: segments first, in the order of the scene.
 enum class CushionId : std::uint32_t {};
-/// Index of a pocket: 0 head-right, 1 side-right, 2 foot-right, 3 foot-left, 4 side-left, 5 head-left.
+/// Index of a pocket: 0 head-right, 1 side-right, 2 foot-right, 3 foot-left, 4 side-left, 5
+/// head-left.
 enum class PocketId : std::uint8_t {};
 
-constexpr std::uint32_t number(BallId id) { return static_cast<std::uint32_t>(id); }
-constexpr std::uint32_t number(CushionId id) { return static_cast<std::uint32_t>(id); }
-constexpr std::uint32_t number(PocketId id) { return static_cast<std::uint32_t>(id); }
+constexpr std::uint32_t number(BallId id) {
+  return static_cast<std::uint32_t>(id);
+}
+constexpr std::uint32_t number(CushionId id) {
+  return static_cast<std::uint32_t>(id);
+}
+constexpr std::uint32_t number(PocketId id) {
+  return static_cast<std::uint32_t>(id);
+}
 
 /// What all balls of a scene share. The defaults are the WPA's ball: 2.25 in across, 5.5 oz.
 struct BallKind {

@@ -95,8 +95,10 @@ BallsOf balls_of(const BasicEvent<Real>& event) {
   }
   return std::visit(
       [](const auto& e) -> BallsOf {
-        if constexpr (requires { e.ball; }) return {e.ball, std::nullopt};
-        else return {e.lower, e.higher};
+        if constexpr (requires { e.ball; })
+          return {e.ball, std::nullopt};
+        else
+          return {e.lower, e.higher};
       },
       event);
 }

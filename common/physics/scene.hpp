@@ -51,8 +51,8 @@ struct Mirror {
 
 /// v_n' = -normal v_n, v_t' = tangential v_t.
 struct CushionRestitution {
-  double normal = 0.85;     ///< [0, 1]
-  double tangential = 1.0;  ///< [0, 1]
+  double normal = 0.85;                                  ///< [0, 1]
+  double tangential = 1.0;                               ///< [0, 1]
   double elastic_below_m_s = default_elastic_below_m_s;  ///< [0, 1]
 
   friend bool operator==(const CushionRestitution&, const CushionRestitution&) = default;

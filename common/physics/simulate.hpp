@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "common/physics/event.hpp"

@@ -1,5 +1,5 @@
-// Events to the state of every ball at any time: all that drawing needs. No simulation happens here;
-// a state is a pure function of the shot and of t.
+// Events to the state of every ball at any time: all that drawing needs. No simulation happens
+// here; a state is a pure function of the shot and of t.
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,119 @@
+// What happened: header, chained entries, and the one canonical encoding of both that is the file,
+// the database blob and the hash input.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/hash/hash.hpp"
+#include "common/match/match.hpp"
+#include "common/physics/simulate.hpp"
+
+namespace breakshot::record {
+
+inline constexpr std::uint32_t format_version = 1;
+
+struct Player {
+  std::string name;
+  match::Contribution contribution{};
+
+  friend bool operator==(const Player&, const Player&) = default;
+};
+
+/// Fixed once every seat is taken and has contributed.
+struct Header {
+  std::uint32_t format = format_version;
+  std::uint32_t physics = physics::physics_version;
+  match::MatchId id{};
+  std::int64_t created_unix_ms = 0;  ///< for people; nothing depends on it
+  match::Settings settings;
+  std::vector<Player> players;  ///< by seat
+  hash::Digest commitment{};    ///< commitment_of(secret)
+
+  friend bool operator==(const Header&, const Header&) = default;
+};
+
+/// One accepted command with its outcome.
+struct Entry {
+  match::Seq seq{};
+  match::Author author;
+  match::CommandId id{};
+  match::Command command;
+  match::Outcome outcome;
+  std::optional<match::Secret> secret;  ///< in the last entry of a finished match
+  /// SHA-256(digest before || canonical bytes of this entry without its digest); the digest before
+  /// the first entry is digest_of(header).
+  hash::Digest digest{};
+
+  friend bool operator==(const Entry&, const Entry&) = default;
+};
+
+using ByteVector = std::vector<std::uint8_t>;
+
+ByteVector encode(const Header& header);
+/// With the digest as its last 32 bytes.
+ByteVector encode(const Entry& entry);
+
+/// What is wrong with bytes, and at which offset of them.
+struct Damage {
+  std::size_t offset = 0;
+  std::string what;
+
+  friend bool operator==(const Damage&, const Damage&) = default;
+};
+
+std::variant<Header, Damage> decode_header(hash::Bytes bytes);
+std::variant<Entry, Damage> decode_entry(hash::Bytes bytes);
+
+hash::Digest digest_of(const Header& header);
+/// The digest that `entry` must carry after `before`; its own digest field is not read.
+hash::Digest digest_of(const hash::Digest& before, const Entry& entry);
+
+/// SHA-256 of "breakshot.simulate.1" and the canonical bytes of the shot's events and final state.
+hash::Digest simulation_digest(const physics::Shot& shot);
+
+// ---- Files
+
+struct Record {
+  Header header;
+  std::vector<Entry> entries;
+
+  friend bool operator==(const Record&, const Record&) = default;
+};
+
+/// The bytes of a `.breakshot` file.
+ByteVector file_of(const Record& record);
+
+/// The valid prefix of a file, and where and how it broke. Without a header there is no record.
+struct Reading {
+  std::optional<Record> record;
+  std::optional<Damage> damage;
+};
+
+/// Reads hostile bytes: any input gives a reading. Structure and the digest chain are checked.
+Reading read_file(hash::Bytes bytes);
+
+// ---- Verification
+
+/// The first entry whose re-simulation differs from what is stored, and how.
+struct Divergence {
+  match::Seq seq{};
+  std::string what;
+
+  friend bool operator==(const Divergence&, const Divergence&) = default;
+};
+
+struct Verdict {
+  enum class Kind : std::uint8_t { verified, diverged, not_revealed_yet, unknown_physics } kind{};
+  std::size_t entries_verified = 0;
+  std::optional<Divergence> divergence;
+};
+
+/// Folds the commands again and compares outcomes and digests. The last entry must hold the secret,
+/// whose commitment is checked first.
+Verdict verify(const Record& record);
+
+}  // namespace breakshot::record
