@@ -80,9 +80,12 @@ struct Claim {
 struct Leave {
   match::MatchId match{};
 };
+/// Shows that the client is still there, so that a silent connection is a dead one. Answered with
+/// Done.
+struct Ping {};
 
 using Request =
-    std::variant<Hello, Create, Join, Watch, List, Fetch, Contribute, Act, Claim, Leave>;
+    std::variant<Hello, Create, Join, Watch, List, Fetch, Contribute, Act, Claim, Leave, Ping>;
 
 // ---- What clients are told
 
@@ -160,7 +163,7 @@ struct FetchDone {
   match::MatchId match{};
   std::uint32_t entries = 0;
 };
-/// The request was carried out and there is nothing else to say (Contribute, Leave).
+/// The request was carried out and there is nothing else to say (Contribute, Leave, Ping).
 struct Done {};
 /// The server is about to close the connection, and why.
 struct Goodbye {
