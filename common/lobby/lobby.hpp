@@ -16,6 +16,8 @@
 namespace breakshot::lobby {
 
 inline constexpr std::uint32_t protocol_version = 1;
+/// Where servers listen and clients look unless told otherwise: POOL on a telephone's keys.
+inline constexpr std::uint16_t default_port = 7665;
 
 /// A guest's identity: whoever shows it is that guest. The server keeps only its SHA-256.
 using Token = std::array<std::uint8_t, 32>;
