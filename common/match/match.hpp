@@ -71,14 +71,18 @@ struct Choose {
   rules::Option option{};
   friend bool operator==(const Choose&, const Choose&) = default;
 };
+/// 8-ball: the match is lost. Practice: the seat leaves, and the match ends, without a winner, when
+/// the last one has left. At any time, whoever's turn it is.
 struct Concede {
   friend bool operator==(const Concede&, const Concede&) = default;
 };
-/// Agrees to rack again (a stalemate): done when every seat has agreed since the last shot.
+/// Agrees to rack again: done when every seat has agreed since the last shot. 8-ball: a stalemate,
+/// once the rack has been broken; the same player breaks again. Practice: a full rack, at any time,
+/// when all who have not left agree.
 struct AgreeRerack {
   friend bool operator==(const AgreeRerack&, const AgreeRerack&) = default;
 };
-/// The server's: `seat` has left for good and loses.
+/// The server's: `seat` has left for good and loses; in practice it leaves.
 struct Abandoned {
   Seat seat{};
   friend bool operator==(const Abandoned&, const Abandoned&) = default;
@@ -116,7 +120,7 @@ struct Status {
 /// A command's outcome: everything needed to show it without simulating or judging again.
 struct Outcome {
   std::optional<physics::Shot> shot;
-  std::optional<rules::Ruling> ruling;  ///< with every shot
+  std::optional<rules::Ruling> ruling;  ///< with every shot and every choice
   physics::State table;  ///< at rest, after the ruling: what the next shot starts from
   Status status;
 

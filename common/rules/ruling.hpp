@@ -18,8 +18,8 @@ constexpr std::uint8_t number(Seat seat) {
 inline constexpr physics::BallId cue_ball{0};
 inline constexpr physics::BallId eight_ball_id{8};
 
-/// What the shooter announces. A shot without ball and pocket is legal only where the game asks for
-/// no call (the break), or with `safety`.
+/// What the shooter announces: a ball and a pocket, or `safety`, never both; and nothing at all
+/// where the game asks for no call (the break, practice).
 struct Call {
   std::optional<physics::BallId> ball;
   std::optional<physics::PocketId> pocket;
@@ -49,6 +49,9 @@ enum class Option : std::uint8_t {
   rerack_and_break,  ///< the chooser breaks
   rerack_opponent_breaks,
   spot_eight,  ///< after the 8 on the break: spot it and go on
+  /// All balls that may be hit first lie behind the head string, and so must the cue ball: the one
+  /// nearest the string is spotted.
+  spot_nearest_ball,
 };
 
 /// How a rack (one game of a race) was decided.
