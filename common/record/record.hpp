@@ -57,6 +57,9 @@ ByteVector encode(const Header& header);
 /// With the digest as its last 32 bytes.
 ByteVector encode(const Entry& entry);
 
+/// The settings alone, as the header holds them: for a match that has not started.
+ByteVector encode(const match::Settings& settings);
+
 /// What is wrong with bytes, and at which offset of them.
 struct Damage {
   std::size_t offset = 0;
@@ -67,6 +70,7 @@ struct Damage {
 
 std::variant<Header, Damage> decode_header(hash::Bytes bytes);
 std::variant<Entry, Damage> decode_entry(hash::Bytes bytes);
+std::variant<match::Settings, Damage> decode_settings(hash::Bytes bytes);
 
 hash::Digest digest_of(const Header& header);
 /// The digest that `entry` must carry after `before`; its own digest field is not read.
