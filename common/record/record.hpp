@@ -51,8 +51,15 @@ struct Entry {
   friend bool operator==(const Entry&, const Entry&) = default;
 };
 
+/// What keeps a value out of the record: a limit (limits.hpp), a number that is not finite, text
+/// that is no UTF-8, an order that is not kept, a seat that the match does not have. For values
+/// that come from elsewhere, before `encode`; what is decoded is free of faults.
+std::optional<std::string> fault_of(const Header& header);
+std::optional<std::string> fault_of(const Header& header, const Entry& entry);
+
 using ByteVector = std::vector<std::uint8_t>;
 
+/// The canonical bytes (docs/record.md). The value must be free of faults: std::logic_error.
 ByteVector encode(const Header& header);
 /// With the digest as its last 32 bytes.
 ByteVector encode(const Entry& entry);
@@ -97,7 +104,8 @@ struct Reading {
   std::optional<Damage> damage;
 };
 
-/// Reads hostile bytes: any input gives a reading. Structure and the digest chain are checked.
+/// Reads hostile bytes: any input gives a reading. Structure, sequence and the digest chain are
+/// checked, so that a reading without damage holds exactly the bytes that `file_of` gives for it.
 Reading read_file(hash::Bytes bytes);
 
 // ---- Verification
@@ -113,11 +121,14 @@ struct Divergence {
 struct Verdict {
   enum class Kind : std::uint8_t { verified, diverged, not_revealed_yet, unknown_physics } kind{};
   std::size_t entries_verified = 0;
-  std::optional<Divergence> divergence;
+  std::optional<Divergence> divergence;  ///< with `diverged`
+
+  friend bool operator==(const Verdict&, const Verdict&) = default;
 };
 
 /// Folds the commands again and compares outcomes and digests. The last entry must hold the secret,
-/// whose commitment is checked first.
+/// whose commitment is checked first; without it only sequence and digests are checked. What is
+/// wrong with the header is reported as of its entry 0.
 Verdict verify(const Record& record);
 
 }  // namespace breakshot::record
