@@ -8,7 +8,11 @@ namespace breakshot::physics {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-/// The unit vector at `angle_rad` from +x towards +y. |angle_rad| <= 1e6; accurate to 2 ulp.
+/// Beyond this the reduction to a quadrant would lose digits, rad.
+inline constexpr double max_angle_rad = 1e6;
+
+/// The unit vector at `angle_rad` from +x towards +y; |angle_rad| <= max_angle_rad. Accurate to 2
+/// ulp.
 Vec2 direction_of(double angle_rad);
 
 }  // namespace breakshot::physics

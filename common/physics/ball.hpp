@@ -48,7 +48,8 @@ struct Ball {
   friend bool operator==(const Ball&, const Ball&) = default;
 };
 
-/// The balls on the table before a shot, in ascending order of id. Pocketed balls are not in it.
+/// The balls on the table before a shot, in any order; those that come out of a shot are in
+/// ascending order of id. Pocketed balls are not in it.
 struct State {
   std::vector<Ball> balls;
 

@@ -2,6 +2,7 @@
 // costs nothing and appears in no event. Validation names every bad field.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -25,8 +26,8 @@ struct Frictionless {
 /// The paper's sections 3.3 and 3.4: straight paths; kinetic friction while the ball is faster than
 /// `rolling_below_m_s`, rolling resistance below. Deceleration is coefficient times gravity.
 struct Straight {
-  double sliding_friction = 0.2;   ///< [0, 10]
-  double rolling_friction = 0.01;  ///< [0, 10]
+  double sliding_friction = 0.2;   ///< 0 or [1e-300, 10]
+  double rolling_friction = 0.01;  ///< 0 or [1e-300, 10]
   double rolling_below_m_s = 1.0;  ///< [0, 1e4]
 
   friend bool operator==(const Straight&, const Straight&) = default;
@@ -36,8 +37,8 @@ using Motion = std::variant<Frictionless, Straight>;
 
 struct Bed {
   Motion motion;
-  std::optional<double> length_m;  ///< along x, between cushion noses; (2R, 1e4]
-  std::optional<double> width_m;   ///< along y, between cushion noses; (2R, 1e4]
+  std::optional<double> length_m;  ///< along x, between cushion noses; [2R, 1e4]
+  std::optional<double> width_m;   ///< along y, between cushion noses; [2R, 1e4]
 
   friend bool operator==(const Bed&, const Bed&) = default;
 };
@@ -122,7 +123,7 @@ struct Perturbation {
 };
 
 struct Scene {
-  std::optional<double> gravity_m_s2;  ///< (0, 1000]; may be missing only for frictionless
+  std::optional<double> gravity_m_s2;  ///< [1e-3, 1000]; may be missing only for frictionless
   BallKind ball;
   Bed bed;
   std::optional<Cushions> cushions;
@@ -156,9 +157,13 @@ inline constexpr double input_overlap_m = 1e-12;
 inline constexpr double max_coordinate_m = 1e6;
 inline constexpr double max_speed_m_s = 1e4;
 
-/// All faults of the balls of `state` within a faultless scene: order, duplicates, ranges, overlap
-/// with one another or with a cushion, balls off the bed.
+/// All faults of the balls of `state` within a faultless scene: none at all, duplicates, ranges,
+/// overlap with one another (where balls can touch) or with a cushion, balls off the bed, spin in a
+/// motion without spin. Balls are named by their index in `state`, "balls[3].position".
 std::vector<Fault> faults_of(const Scene& scene, const State& state);
+
+/// Balls in one scene.
+inline constexpr std::size_t max_balls = 1'000'000;
 
 /// A stroke: sets the velocity of a ball at rest at t = 0.
 struct Strike {
