@@ -194,6 +194,11 @@ struct EntryNews {
   match::MatchId match{};
   std::shared_ptr<const record::Entry> entry;  ///< shared by all that are told
 };
+/// Told to the followers of a match that is no more, without ever having started.
+struct MatchGone {
+  match::MatchId match{};
+  std::string what;
+};
 struct Listing {
   std::vector<MatchInfo> matches;  ///< newest first, at most page_size
   bool more = false;
@@ -221,8 +226,8 @@ struct Goodbye {
   std::string what;
 };
 
-using Answer =
-    std::variant<Welcome, Refused, MatchNews, EntryNews, Listing, FetchDone, Done, Goodbye>;
+using Answer = std::variant<Welcome, Refused, MatchNews, EntryNews, MatchGone, Listing, FetchDone,
+                            Done, Goodbye>;
 
 /// Pairs answers with requests; chosen by the client, 0 in what nobody asked for.
 enum class RequestId : std::uint32_t {};
