@@ -5,10 +5,12 @@
 # Neither -ffast-math nor -march=native may ever stand here.
 add_compile_options(-ffp-contract=off)
 
-# ccache is used where it is installed and missed nowhere. A precompiled header hides its macros and
-# its time from ccache, which would refuse such files without these two allowances.
+# ccache is used where it is installed and missed nowhere. Paths below the source tree count as relative
+# ones, so that a second clone or worktree finds what the first has compiled; and a precompiled header
+# is refused by ccache without the allowances for its macros and its time.
 find_program(BREAKSHOT_CCACHE ccache)
 if(BREAKSHOT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=true
       CCACHE_SLOPPINESS=pch_defines,time_macros ${BREAKSHOT_CCACHE})
 endif()
