@@ -35,7 +35,6 @@ std::optional<std::string> call_fault(const Practice& game, const Call& call);
 Practice without(const Practice& game, Seat seat);
 
 /// The turn goes round; pocketed object balls stay down.
-PracticeAfter judge(const Practice& game, const physics::Scene& scene, const physics::State& before,
-                    const physics::Shot& shot);
+PracticeAfter judge(const Practice& game, const physics::Scene& scene, const physics::Shot& shot);
 
 }  // namespace breakshot::rules
