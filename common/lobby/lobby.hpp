@@ -41,6 +41,8 @@ struct Hello {
   std::uint32_t version = protocol_version;
   std::string name;
   std::optional<Token> token;  ///< missing: a new guest
+
+  friend bool operator==(const Hello&, const Hello&) = default;
 };
 /// Opens a match and takes seat 0; answered by MatchNews. The asker follows it from then on.
 struct Create {
@@ -49,6 +51,8 @@ struct Create {
   std::uint8_t seats = 2;
   std::uint32_t race_to = 1;
   bool is_private = false;
+
+  friend bool operator==(const Create&, const Create&) = default;
 };
 // Join, Watch and Fetch name a match by id, or by the code of a private match; exactly one of the
 // two is given, or both for the same match.
@@ -59,6 +63,8 @@ struct Join {
   std::optional<match::MatchId> match;
   std::optional<InviteCode> code;
   match::Seq from{};
+
+  friend bool operator==(const Join&, const Join&) = default;
 };
 /// Follows a match from entry `from` on; answered by MatchNews. Then come, each exactly once and in
 /// order, the entries from `from` on: those up to `info.next` are the match so far, what follows is
@@ -68,6 +74,8 @@ struct Watch {
   std::optional<match::MatchId> match;
   std::optional<InviteCode> code;
   match::Seq from{};
+
+  friend bool operator==(const Watch&, const Watch&) = default;
 };
 enum class Filter : std::uint8_t { open, running, mine, finished };
 /// A position in a listing: after this match. By value, since the match itself may be gone by now.
@@ -82,6 +90,8 @@ struct Position {
 struct List {
   Filter filter = Filter::open;
   std::optional<Position> after;  ///< the last one of the page before
+
+  friend bool operator==(const List&, const List&) = default;
 };
 /// A record as it stands: answered by MatchNews with the header, the entries from `from` on, and
 /// FetchDone, all with the request's id. A match that has not started has no record yet.
@@ -89,12 +99,16 @@ struct Fetch {
   std::optional<match::MatchId> match;
   std::optional<InviteCode> code;
   match::Seq from{};
+
+  friend bool operator==(const Fetch&, const Fetch&) = default;
 };
 /// A seated player's share of the seed; answered by Done. The match starts when every seat is taken
 /// and has contributed. The same contribution may be sent again.
 struct Contribute {
   match::MatchId match{};
   match::Contribution contribution{};
+
+  friend bool operator==(const Contribute&, const Contribute&) = default;
 };
 /// A command of the asker's seat; answered by EntryNews with the entry that it became, which the
 /// asker is not told a second time as a follower. The same id at the same sequence number is the
@@ -104,19 +118,27 @@ struct Act {
   match::Seq expected{};
   match::CommandId id{};   ///< not 0, which stands for the server's commands
   match::Command command;  ///< never Start or Abandoned: those are the server's
+
+  friend bool operator==(const Act&, const Act&) = default;
 };
 /// Asks to be given the match, since the opponent has vanished for long enough; answered by
 /// EntryNews with the entry Abandoned.
 struct Claim {
   match::MatchId match{};
+
+  friend bool operator==(const Claim&, const Claim&) = default;
 };
 /// Stops following a match; before its start, also gives up the seat. Answered by Done.
 struct Leave {
   match::MatchId match{};
+
+  friend bool operator==(const Leave&, const Leave&) = default;
 };
 /// Shows that the client is still there, so that a silent connection is a dead one. Answered with
 /// Done.
-struct Ping {};
+struct Ping {
+  friend bool operator==(const Ping&, const Ping&) = default;
+};
 
 using Request =
     std::variant<Hello, Create, Join, Watch, List, Fetch, Contribute, Act, Claim, Leave, Ping>;
@@ -130,6 +152,8 @@ struct Welcome {
   std::string server;          ///< version, for people
   /// How long an opponent must have been away before Claim succeeds, ms.
   std::int64_t claim_after_ms = 0;
+
+  friend bool operator==(const Welcome&, const Welcome&) = default;
 };
 
 enum class RefusalCode : std::uint8_t {
@@ -152,6 +176,8 @@ struct Refused {
   RefusalCode code{};
   std::optional<match::RefusalCode> detail;  ///< with `command`
   std::string what;
+
+  friend bool operator==(const Refused&, const Refused&) = default;
 };
 
 struct SeatInfo {
@@ -187,30 +213,45 @@ struct MatchNews {
   MatchInfo info;
   std::optional<match::Seat> you;        ///< the follower's own seat
   std::optional<record::Header> header;  ///< once the match has started
+
+  friend bool operator==(const MatchNews&, const MatchNews&) = default;
 };
 /// One entry: the match so far to a newcomer, then each as it is stored. The answer to Act and
 /// Claim.
 struct EntryNews {
   match::MatchId match{};
   std::shared_ptr<const record::Entry> entry;  ///< shared by all that are told
+
+  friend bool operator==(const EntryNews& a, const EntryNews& b) {
+    return a.match == b.match &&
+           (a.entry == b.entry || (a.entry && b.entry && *a.entry == *b.entry));
+  }
 };
 /// Told to the followers of a match that is no more, without ever having started.
 struct MatchGone {
   match::MatchId match{};
   std::string what;
+
+  friend bool operator==(const MatchGone&, const MatchGone&) = default;
 };
 struct Listing {
   std::vector<MatchInfo> matches;  ///< newest first, at most page_size
   bool more = false;
+
+  friend bool operator==(const Listing&, const Listing&) = default;
 };
 inline constexpr std::size_t page_size = 50;
 /// Follows the last entry of a fetched record.
 struct FetchDone {
   match::MatchId match{};
   match::Seq next{};  ///< the number of the entry after the last one told
+
+  friend bool operator==(const FetchDone&, const FetchDone&) = default;
 };
 /// The request was carried out and there is nothing else to say (Contribute, Leave, Ping).
-struct Done {};
+struct Done {
+  friend bool operator==(const Done&, const Done&) = default;
+};
 /// Why a connection is closed by the server; tells a client whether to come back by itself.
 enum class GoodbyeReason : std::uint8_t {
   stopping,      ///< the server goes down: come back later
@@ -224,6 +265,8 @@ enum class GoodbyeReason : std::uint8_t {
 struct Goodbye {
   GoodbyeReason reason{};
   std::string what;
+
+  friend bool operator==(const Goodbye&, const Goodbye&) = default;
 };
 
 using Answer = std::variant<Welcome, Refused, MatchNews, EntryNews, MatchGone, Listing, FetchDone,
@@ -235,10 +278,14 @@ enum class RequestId : std::uint32_t {};
 struct Asked {
   RequestId id{};
   Request request;
+
+  friend bool operator==(const Asked&, const Asked&) = default;
 };
 struct Told {
   RequestId id{};
   Answer answer;
+
+  friend bool operator==(const Told&, const Told&) = default;
 };
 
 }  // namespace breakshot::lobby
