@@ -1,6 +1,6 @@
 #include "common/lobby/name.hpp"
 
-#include "common/lobby/text.hpp"
+#include "common/record/text.hpp"
 
 namespace breakshot::lobby {
 namespace {
@@ -17,9 +17,10 @@ std::optional<std::string> name_fault(std::string_view name) {
   std::size_t length = 0;
   bool ends_in_space = false;
   while (!name.empty()) {
-    const Character next = first_of(name);
+    const record::Character next = record::first_of(name);
     if (next.bytes == 0) return "a name must be UTF-8 text";
-    if (const auto what = unprintable(next.code_point)) return "a name must not hold " + *what;
+    if (const auto what = record::unprintable(next.code_point))
+      return "a name must not hold " + *what;
     ends_in_space = is_space(next.code_point);
     if (length == 0 && ends_in_space) return "a name must not begin with a space";
     if (++length > max_name_length) {

@@ -52,8 +52,8 @@ struct Entry {
 };
 
 /// What keeps a value out of the record: a limit (limits.hpp), a number that is not finite, text
-/// that is no UTF-8, an order that is not kept, a seat that the match does not have. For values
-/// that come from elsewhere, before `encode`; what is decoded is free of faults.
+/// that does not print as it is, an order that is not kept, a seat that the match does not have.
+/// For values that come from elsewhere, before `encode`; what `read_file` gives is free of faults.
 std::optional<std::string> fault_of(const Header& header);
 std::optional<std::string> fault_of(const Header& header, const Entry& entry);
 
