@@ -30,8 +30,8 @@ const std::map<std::string, Names, std::less<>>& graph() {
       {"common/lobby",
        {"common/record", "common/match", "common/rules", "common/physics", "common/hash"}},
       {"common/wire",
-       {"common/lobby", "common/record", "common/match", "common/rules", "common/physics", "proto",
-        "protobuf"}},
+       {"common/lobby", "common/record", "common/match", "common/rules", "common/physics",
+        "common/hash", "proto", "protobuf"}},
       {"common/study", {"common/physics", "Multiprecision"}},
       {"proto", {"protobuf"}},
       {"server/ledger",
@@ -83,6 +83,7 @@ const std::vector<std::pair<std::string, std::string>>& libraries() {
       {"boost/beast", "Asio"},
       {"boost/system/", "Asio"},
       {"boost/multiprecision/", "Multiprecision"},
+      {"boost/property_tree/", "PropertyTree"},
       {"google/protobuf/", "protobuf"},
       {"breakshot/v1/", "proto"},
       {"spdlog/", "spdlog"},
@@ -165,7 +166,7 @@ Names allowed_in(const std::string& room) {
     return names;
   }
   for (const std::string& tested : graph().at(room)) add_below(tested, names);
-  names.insert({"testing", "tests/support", "POSIX"});
+  names.insert({"testing", "tests/support", "POSIX", "PropertyTree"});
   return names;
 }
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/lobby/text.hpp"
+#include "common/record/text.hpp"
 
 namespace breakshot::wire {
 namespace {
@@ -20,7 +20,7 @@ using google::protobuf::UnknownFieldSet;
 
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
-    const lobby::Character next = lobby::first_of(text);
+    const record::Character next = record::first_of(text);
     if (next.bytes == 0) return false;
     text.remove_prefix(next.bytes);
   }
