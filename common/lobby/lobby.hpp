@@ -110,9 +110,10 @@ struct Contribute {
 
   friend bool operator==(const Contribute&, const Contribute&) = default;
 };
-/// A command of the asker's seat; answered by EntryNews with the entry that it became, which the
-/// asker is not told a second time as a follower. The same id at the same sequence number is the
-/// same command sent again and is answered with the same entry, once more.
+/// A command of the asker's seat; answered by EntryNews with the entry that it became. A follower
+/// who is up to date is not told it a second time; one who is still being told the match so far is,
+/// in its place. The same id at the same sequence number is the same command sent again and is
+/// answered with the same entry, once more.
 struct Act {
   match::MatchId match{};
   match::Seq expected{};
