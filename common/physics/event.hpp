@@ -90,9 +90,6 @@ struct BallsOf {
 
 template <class Real>
 BallsOf balls_of(const BasicEvent<Real>& event) {
-  if (const auto* contact = std::get_if<BasicBallBall<Real>>(&event)) {
-    return {contact->lower, contact->higher};
-  }
   return std::visit(
       [](const auto& e) -> BallsOf {
         if constexpr (requires { e.ball; })
@@ -101,6 +98,34 @@ BallsOf balls_of(const BasicEvent<Real>& event) {
           return {e.lower, e.higher};
       },
       event);
+}
+
+/// The pass of a contact; phase ends and strikes belong to the first.
+template <class Real>
+std::uint32_t pass_of(const BasicEvent<Real>& event) {
+  return std::visit(
+      [](const auto& e) -> std::uint32_t {
+        if constexpr (requires { e.pass; })
+          return e.pass;
+        else
+          return 0;
+      },
+      event);
+}
+
+/// The order of events: time, pass, rank of the kind, ids.
+template <class Real>
+bool comes_before(const BasicEvent<Real>& a, const BasicEvent<Real>& b) {
+  if (time_of(a) != time_of(b)) return time_of(a) < time_of(b);
+  if (pass_of(a) != pass_of(b)) return pass_of(a) < pass_of(b);
+  if (a.index() != b.index()) return a.index() < b.index();
+  const BallsOf p = balls_of(a);
+  const BallsOf q = balls_of(b);
+  if (p.first != q.first) return p.first < q.first;
+  if (p.second != q.second) return p.second < q.second;
+  const auto* cushion_a = std::get_if<BasicBallCushion<Real>>(&a);
+  const auto* cushion_b = std::get_if<BasicBallCushion<Real>>(&b);
+  return cushion_a != nullptr && cushion_b != nullptr && cushion_a->cushion < cushion_b->cushion;
 }
 
 /// Why a simulation ended.

@@ -1,0 +1,201 @@
+// When two things meet. Every answer is a pure function of the paths, so that it does not depend on
+// when it is asked; it is the next event, not the next root: contacts that touch and separate are
+// not met again before the gap has opened and closed (Bannerman et al. 2014, "Stable algorithm for
+// event detection in event-driven particle dynamics").
+#pragma once
+
+#include "common/physics/exact.hpp"
+#include "common/physics/laws.hpp"
+#include "common/physics/roots.hpp"
+
+namespace breakshot::physics {
+
+template <class Real>
+constexpr Real magnitude(Real x) {
+  return x < 0 ? -x : x;
+}
+
+template <class Real>
+constexpr Real larger(Real a, Real b) {
+  return a < b ? b : a;
+}
+
+template <class Real>
+constexpr Real largest_coordinate(BasicVec2<Real> a) {
+  return larger(magnitude(a.x), magnitude(a.y));
+}
+
+/// The one tolerance: a gap of at most this at instant t is a touch. What positions of this size
+/// and a time of this size cannot resolve (design section 2, "Detection").
+template <class Real>
+Real touch_gap(Real coordinate, Real relative_speed, Real time_s) {
+  return 8 * ulp(coordinate) + relative_speed * ulp(time_s);
+}
+
+/// A speed of approach that two velocities of these sizes cannot resolve.
+template <class Real>
+constexpr Real unresolved_speed(Real speeds) {
+  return 2 * std::numeric_limits<Real>::epsilon() * speeds;
+}
+
+/// Twofold products are good to about 2^-100 (for double): what differs by less is a tie.
+template <class Real>
+inline const Real twofold_resolution = power_of_two<Real>(8 -
+                                                          2 * std::numeric_limits<Real>::digits);
+
+/// Speeds below this have squares that underflow; they are taken in units in which they do not.
+template <class Real>
+inline const Real slow_below = power_of_two<Real>(60 + std::numeric_limits<Real>::min_exponent / 2);
+template <class Real>
+inline const Real slow_scale = power_of_two<Real>(90 - std::numeric_limits<Real>::min_exponent / 2);
+
+/// The sign of (D |w|)^2 - (d x w)^2 for d = b - a and w = v - u, and its value: whether a straight
+/// relative path comes nearer than D. Differences and products keep their rounding errors.
+template <class Real>
+Real nearness(BasicVec2<Real> a, BasicVec2<Real> b, BasicVec2<Real> u, BasicVec2<Real> v,
+              Real distance) {
+  const Twofold<Real> dx = two_sum(b.x, -a.x);
+  const Twofold<Real> dy = two_sum(b.y, -a.y);
+  const Twofold<Real> wx = two_sum(v.x, -u.x);
+  const Twofold<Real> wy = two_sum(v.y, -u.y);
+  const Twofold<Real> reach = two_product(distance, distance) * (wx * wx + wy * wy);
+  const Twofold<Real> cross_product = dx * wy - dy * wx;
+  const Twofold<Real> difference = reach - cross_product * cross_product;
+  return difference.high > twofold_resolution<Real> * reach.high ? difference.high : Real(0);
+}
+
+/// The pair at the later of two starts, seen from there.
+template <class Real>
+struct Encounter {
+  Real start_s{};
+  BasicVec2<Real> first;
+  BasicVec2<Real> second;
+  BasicVec2<Real> first_velocity;
+  BasicVec2<Real> second_velocity;
+  Relative<Real> relative;
+  Real end_s{};  ///< of the earlier phase
+};
+
+template <class Real>
+Encounter<Real> encounter(const Path<Real>& a, const Path<Real>& b) {
+  Encounter<Real> e;
+  e.start_s = larger(a.segment.start_s, b.segment.start_s);
+  e.first = position_at(a.segment, e.start_s);
+  e.second = position_at(b.segment, e.start_s);
+  e.first_velocity = velocity_at(a.segment, e.start_s);
+  e.second_velocity = velocity_at(b.segment, e.start_s);
+  e.relative = {e.second - e.first, e.second_velocity - e.first_velocity,
+                b.segment.acceleration - a.segment.acceleration};
+  e.end_s = a.end_s < b.end_s ? a.end_s : b.end_s;
+  return e;
+}
+
+/// Time until a straight relative path of constant velocity comes nearer than `distance`, or never.
+template <class Real>
+Real linear_entry(const Encounter<Real>& e, Real distance) {
+  using std::sqrt;
+  const BasicVec2<Real> d = e.relative.position;
+  const BasicVec2<Real> w = e.relative.velocity;
+  const Real largest = largest_coordinate(w);
+  if (largest < slow_below<Real>) {
+    if (largest == 0) return never<Real>;
+    const Real scale = slow_scale<Real>;
+    Encounter<Real> scaled = e;
+    scaled.first_velocity = e.first_velocity * scale;
+    scaled.second_velocity = e.second_velocity * scale;
+    scaled.relative.velocity = w * scale;
+    return linear_entry(scaled, distance) * scale;
+  }
+  const Real b = dot(d, w);
+  if (b >= 0) return never<Real>;
+  const Real reach = distance * sqrt(dot(w, w));
+  const Real miss = magnitude(cross(d, w));
+  const Real doubt = 8 * std::numeric_limits<Real>::epsilon() *
+                     (magnitude(d.x * w.y) + magnitude(d.y * w.x) + reach);
+  Real discriminant = (reach - miss) * (reach + miss);
+  if (magnitude(reach - miss) <= doubt) {
+    discriminant = nearness(e.first, e.second, e.first_velocity, e.second_velocity, distance);
+  }
+  if (!(discriminant > 0)) return never<Real>;
+  return excess(d, distance) / (sqrt(discriminant) - b);
+}
+
+/// When the balls of two paths next meet: the first event after both have started, within both
+/// phases, or never. Touching and approaching is at once.
+template <class Real>
+Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter) {
+  using std::sqrt;
+  const Encounter<Real> e = encounter(a, b);
+  const Relative<Real>& relative = e.relative;
+  const Real horizon = e.end_s - e.start_s;
+  const Real distance = length(relative.position);
+  const Real coordinate =
+      larger(diameter, larger(largest_coordinate(e.first), largest_coordinate(e.second)));
+  const bool one_rests = a.segment.phase == Phase::rest || b.segment.phase == Phase::rest;
+  const bool straight = one_rests || relative.acceleration == BasicVec2<Real>{};
+  if (distance - diameter <= touch_gap(coordinate, length(relative.velocity), e.start_s)) {
+    const Real approach = -dot(relative.position, relative.velocity);
+    const Real unresolved = unresolved_speed(a.speed + b.speed) * distance;
+    if (approach > unresolved) return e.start_s;
+    if (straight) return never<Real>;
+    const EntrySearch<Real> search(relative, distance);
+    const bool level = approach >= -unresolved;
+    if (level && search.closes_at_once()) return e.start_s;
+    const auto t = search.first(horizon, level);
+    return t ? e.start_s + *t : never<Real>;
+  }
+  if (!straight) {
+    const auto t = EntrySearch<Real>(relative, diameter).first(horizon, false);
+    return t ? e.start_s + *t : never<Real>;
+  }
+  Real t = linear_entry(e, diameter);
+  if (t == never<Real>) return t;
+  if (one_rests) {
+    // Along a straight decelerating path, t at constant velocity is a distance. The whole stop,
+    // at speed / deceleration, covers half of what constant velocity would.
+    const Path<Real>& mover = a.segment.phase == Phase::rest ? b : a;
+    const Real speed = length(relative.velocity);
+    const Real deceleration = length(mover.segment.acceleration);
+    const Real left = 1 - 2 * (deceleration / speed) * t;
+    if (!(left > 0)) return never<Real>;
+    t = 2 * t / (1 + sqrt(left));
+  }
+  return t <= horizon ? e.start_s + t : never<Real>;
+}
+
+/// When the ball of a path next meets a nose, or never. The ball's surface meets the cushion: its
+/// centre meets the line a radius inward, within the cushion's extent.
+template <class Real>
+Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, Real top_speed) {
+  using std::sqrt;
+  const BasicSegment<Real>& s = path.segment;
+  const BasicVec2<Real> offset = s.position - nose.from;
+  const Real gap = dot(offset, nose.inward) - radius;
+  const Real towards = -dot(s.velocity, nose.inward);
+  const Real pull = -dot(s.acceleration, nose.inward);
+  const auto within = [&](Real t) {
+    const Real foot =
+        dot(s.position + (s.velocity + s.acceleration * (t / 2)) * t - nose.from, nose.along);
+    return foot >= 0 && foot <= nose.extent;
+  };
+  const Real coordinate = larger(radius, largest_coordinate(s.position));
+  if (gap <= touch_gap(coordinate, path.speed, s.start_s)) {
+    // Deeper than rounding can have pushed it, the ball is not in front of this cushion.
+    if (gap < -touch_gap(coordinate, 2 * top_speed, s.start_s)) return never<Real>;
+    if (!within(Real(0))) return never<Real>;
+    const Real unresolved = unresolved_speed(path.speed);
+    if (towards > unresolved) return s.start_s;
+    if (!(pull > 0)) return never<Real>;
+    if (towards >= -unresolved) return s.start_s;
+    const Real t = -2 * towards / pull;
+    return s.start_s + t <= path.end_s && within(t) ? s.start_s + t : never<Real>;
+  }
+  const Real discriminant = towards * towards + 2 * pull * gap;
+  Real t = never<Real>;
+  if (towards > 0 && discriminant > 0) t = 2 * gap / (towards + sqrt(discriminant));
+  if (towards <= 0 && pull > 0) t = (sqrt(discriminant) - towards) / pull;
+  if (!(s.start_s + t <= path.end_s) || t == never<Real> || !within(t)) return never<Real>;
+  return s.start_s + t;
+}
+
+}  // namespace breakshot::physics

@@ -1,0 +1,372 @@
+// What contacts do. All contacts of one instant are resolved as a set, in passes: the velocities
+// are projected onto those in which no contact of the pass approaches, and restitution carries them
+// on by as much again: v' = w + e (w - v) (with e = 1: Smith et al. 2012, "Reflections on
+// Simultaneous Impact"; that the passes end: Vouga et al. 2017, "All's Well That Ends Well"). All
+// balls of a scene are of one kind, so masses cancel.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "common/physics/detect.hpp"
+#include "common/physics/event.hpp"
+#include "common/physics/perturbation.hpp"
+#include "common/physics/projection.hpp"
+
+namespace breakshot::physics {
+
+/// Passes within one set, beyond which the shot is stalled.
+inline constexpr std::uint32_t max_passes = 10'000;
+
+/// A ball at the instant of a set.
+template <class Real>
+struct Body {
+  BallId id{};
+  BasicVec2<Real> position;
+  BasicVec2<Real> velocity;
+  std::uint32_t collisions = 0;  ///< of this shot so far: the counter of its random stream
+};
+
+/// Two things that touch: balls `a` < `b`, or ball `a` and nose `b`.
+template <class Real>
+struct Contact {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  bool cushion = false;
+  bool predicted = false;  ///< the event that brought us here: logged even if nothing is left of it
+  BasicVec2<Real> normal;  ///< unit vector from a to the other
+  BasicVec2<Real> point;   ///< twice the place of the contact: sorts a set independently of numbers
+};
+
+template <class Real>
+class ContactSet {
+ public:
+  using Vec = BasicVec2<Real>;
+
+  ContactSet(const Laws<Real>& laws, const ShotSeed& seed)
+      : laws_(laws), key_(key_of(seed, Stream::collisions)) {}
+
+  /// Begins a set at a new instant, or goes on with one at the same instant from `first_pass`.
+  void begin(std::uint32_t first_pass) {
+    contacts_.clear();
+    events_.clear();
+    struck_.clear();
+    pass_ = first_pass;
+  }
+
+  void add_balls(const std::vector<Body<Real>>& bodies, std::uint32_t a, std::uint32_t b,
+                 bool predicted) {
+    if (a > b) std::swap(a, b);
+    const Vec between = bodies[b].position - bodies[a].position;
+    add({a, b, false, predicted, between / length(between),
+         bodies[a].position + bodies[b].position});
+  }
+
+  void add_cushion(const std::vector<Body<Real>>& bodies, std::uint32_t ball, std::uint32_t nose,
+                   bool predicted) {
+    const Vec outward = -laws_.noses[nose].inward;
+    add({ball, nose, true, predicted, outward,
+         (bodies[ball].position + outward * laws_.radius) * Real(2)});
+  }
+
+  /// Resolves the set. `touching(ball)` is called once for every ball that takes part and adds the
+  /// contacts that it has. False if the pass limit was reached.
+  template <class Touching>
+  bool settle(std::vector<Body<Real>>& bodies, Real time_s, Touching&& touching) {
+    std::size_t reached = 0;
+    const std::uint32_t limit = pass_ + max_passes;
+    // Every pass may bring in more balls, whose contacts come in with them.
+    for (;; ++pass_) {
+      if (pass_ == limit) return false;
+      for (; reached < contacts_.size(); ++reached) {
+        const Contact<Real> contact = contacts_[reached];
+        if (join(contact.a)) touching(contact.a);
+        if (!contact.cushion && join(contact.b)) touching(contact.b);
+      }
+      if (pass_ == limit - max_passes) unresolved_ = resolution(bodies);
+      if (!pass(bodies, time_s) && !push_apart(bodies, time_s)) return true;
+    }
+  }
+
+  /// Events of the passes so far, and all balls that took part.
+  const std::vector<BasicEvent<Real>>& events() const { return events_; }
+  const std::vector<std::uint32_t>& balls() const { return struck_; }
+  std::uint32_t next_pass() const { return pass_; }
+
+ private:
+  void add(const Contact<Real>& contact) {
+    for (Contact<Real>& known : contacts_) {
+      if (known.a == contact.a && known.b == contact.b && known.cushion == contact.cushion) {
+        known.predicted = known.predicted || contact.predicted;
+        return;
+      }
+    }
+    contacts_.push_back(contact);
+  }
+
+  bool join(std::uint32_t ball) {
+    if (std::find(struck_.begin(), struck_.end(), ball) != struck_.end()) return false;
+    struck_.push_back(ball);
+    return true;
+  }
+
+  Real resolution(const std::vector<Body<Real>>& bodies) const {
+    Real top = 0;
+    for (const std::uint32_t ball : struck_) {
+      const Real speed = length(bodies[ball].velocity);
+      top = speed > top ? speed : top;
+    }
+    return unresolved_speed(2 * top);
+  }
+
+  Vec relative_velocity(const std::vector<Body<Real>>& bodies, const Contact<Real>& c) const {
+    return c.cushion ? bodies[c.a].velocity : bodies[c.a].velocity - bodies[c.b].velocity;
+  }
+
+  Real approach(const std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal) const {
+    return dot(relative_velocity(bodies, c), normal);
+  }
+
+  /// One pass over all contacts that approach. False if there is none.
+  bool pass(std::vector<Body<Real>>& bodies, Real time_s) {
+    approaching_.clear();
+    for (Contact<Real>& contact : contacts_) {
+      const Real speed = approach(bodies, contact, contact.normal);
+      if (speed > unresolved_ || (contact.predicted && speed > 0)) {
+        approaching_.push_back(contact);
+        contact.predicted = false;
+      }
+    }
+    if (approaching_.empty()) return false;
+    if (approaching_.size() == 1) {
+      resolve_connected(bodies, approaching_);
+    } else {
+      resolve_components(bodies);
+    }
+    for (const Contact<Real>& contact : approaching_) log(bodies, contact, time_s);
+    return true;
+  }
+
+  void log(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Real time_s) {
+    ++bodies[c.a].collisions;
+    if (c.cushion) {
+      events_.push_back(BasicBallCushion<Real>{time_s, pass_, bodies[c.a].id, CushionId(c.b)});
+    } else {
+      ++bodies[c.b].collisions;
+      events_.push_back(BasicBallBall<Real>{time_s, pass_, bodies[c.a].id, bodies[c.b].id});
+    }
+  }
+
+  /// Splits the pass into connected sets, each solved on its own, contacts sorted by place.
+  void resolve_components(std::vector<Body<Real>>& bodies) {
+    std::vector<Contact<Real>> rest = approaching_;
+    std::sort(rest.begin(), rest.end(), [](const Contact<Real>& p, const Contact<Real>& q) {
+      return p.point.x != q.point.x ? p.point.x < q.point.x : p.point.y < q.point.y;
+    });
+    while (!rest.empty()) {
+      std::vector<Contact<Real>> connected = {rest.front()};
+      std::vector<bool> taken(rest.size());
+      taken[0] = true;
+      for (std::size_t i = 0; i < connected.size(); ++i) {
+        for (std::size_t k = 0; k < rest.size(); ++k) {
+          if (!taken[k] && share_a_ball(connected[i], rest[k])) {
+            taken[k] = true;
+            connected.push_back(rest[k]);
+          }
+        }
+      }
+      std::vector<Contact<Real>> set;
+      std::vector<Contact<Real>> others;
+      for (std::size_t k = 0; k < rest.size(); ++k) (taken[k] ? set : others).push_back(rest[k]);
+      resolve_connected(bodies, set);
+      rest = std::move(others);
+    }
+  }
+
+  static bool share_a_ball(const Contact<Real>& p, const Contact<Real>& q) {
+    return p.a == q.a || (!q.cushion && p.a == q.b) || (!p.cushion && p.b == q.a) ||
+           (!p.cushion && !q.cushion && p.b == q.b);
+  }
+
+  /// Resolves one connected set with its perturbed normals. A contact that would still approach
+  /// along its true normal has its rotation taken back, and the pass is done again.
+  void resolve_connected(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
+    tilts_.clear();
+    for (const Contact<Real>& contact : set) tilts_.push_back(tilt_of(bodies, contact));
+    keep(bodies, set);
+    for (;;) {
+      tilt(bodies, set);
+      collide(bodies, set);
+      bool again = false;
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        if (tilts_[k] != 0 && approach(bodies, set[k], set[k].normal) > 0) {
+          tilts_[k] = 0;
+          again = true;
+        }
+      }
+      if (!again) return;
+      restore(bodies, set);
+    }
+  }
+
+  Real tilt_of(const std::vector<Body<Real>>& bodies, const Contact<Real>& c) const {
+    const double scale = c.cushion ? laws_.perturb_cushions : laws_.perturb_balls;
+    if (scale == 0) return 0;
+    const std::uint32_t other = c.cushion ? 0x80000000u + c.b : number(bodies[c.b].id);
+    const std::uint32_t other_count = c.cushion ? 0 : bodies[c.b].collisions;
+    return Real(scale *
+                symmetric(philox(
+                    {number(bodies[c.a].id), other, bodies[c.a].collisions, other_count}, key_)));
+  }
+
+  /// Sets the normals of the pass; a normal along which the contact does not approach stays true.
+  void tilt(const std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
+    normals_.clear();
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      normals_.push_back(set[k].normal);
+      if (tilts_[k] == 0) continue;
+      const Vec turned = set[k].normal + perp(set[k].normal) * tilts_[k];
+      if (approach(bodies, set[k], turned) > 0) {
+        normals_.back() = turned / length(turned);
+      } else {
+        tilts_[k] = 0;
+      }
+    }
+  }
+
+  void keep(const std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
+    before_.clear();
+    for (const Contact<Real>& c : set) {
+      before_.push_back(bodies[c.a].velocity);
+      before_.push_back(bodies[c.cushion ? c.a : c.b].velocity);
+    }
+  }
+
+  void restore(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) const {
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      bodies[set[k].a].velocity = before_[2 * k];
+      if (!set[k].cushion) bodies[set[k].b].velocity = before_[2 * k + 1];
+    }
+  }
+
+  const Bounce<Real>& bounce_of(const Contact<Real>& c) const {
+    return c.cushion ? laws_.noses[c.b].bounce : *laws_.ball_ball;
+  }
+
+  /// The set's restitution: the smallest holds, at the set's largest approach.
+  Real restitution_of(const std::vector<Contact<Real>>& set, Real largest) const {
+    Bounce<Real> least = bounce_of(set.front());
+    for (const Contact<Real>& contact : set) {
+      const Bounce<Real>& bounce = bounce_of(contact);
+      if (bounce.restitution < least.restitution ||
+          (bounce.restitution == least.restitution &&
+           bounce.elastic_below_m_s > least.elastic_below_m_s)) {
+        least = bounce;
+      }
+    }
+    return least.at(largest);
+  }
+
+  /// Normal impulses along normals_, then the cushions' hold on the tangential velocity.
+  void collide(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
+    Real largest = 0;
+    rates_.clear();
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const Real speed = approach(bodies, set[k], normals_[k]);
+      largest = speed > largest ? speed : largest;
+      rates_.push_back(-speed);
+    }
+    const Real factor = 1 + restitution_of(set, largest);
+    if (set.size() == 1) {
+      apply(bodies, set[0], normals_[0], set[0].cushion ? factor * largest : factor / 2 * largest);
+    } else {
+      const std::vector<Real> gram = gram_of(set);
+      NonNegativeImpulses<Real> impulses(gram, rates_);
+      const std::vector<Real>& sizes = impulses.solve();
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        apply(bodies, set[k], normals_[k], factor * sizes[k]);
+      }
+    }
+    for (std::size_t k = 0; k < set.size(); ++k) hold(bodies, set[k], normals_[k]);
+  }
+
+  std::vector<Real> gram_of(const std::vector<Contact<Real>>& set) const {
+    const std::size_t n = set.size();
+    std::vector<Real> gram(n * n);
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t l = 0; l < n; ++l) {
+        const Real product = dot(normals_[k], normals_[l]);
+        Real& sum = gram[k * n + l];
+        if (set[k].a == set[l].a) sum += product;
+        if (!set[k].cushion && set[k].b == set[l].a) sum -= product;
+        if (!set[l].cushion && set[k].a == set[l].b) sum -= product;
+        if (!set[k].cushion && !set[l].cushion && set[k].b == set[l].b) sum += product;
+        if (k == l) sum = set[k].cushion ? Real(1) : Real(2);
+      }
+    }
+    return gram;
+  }
+
+  void apply(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal,
+             Real speed) const {
+    bodies[c.a].velocity = bodies[c.a].velocity - normal * speed;
+    if (!c.cushion) bodies[c.b].velocity = bodies[c.b].velocity + normal * speed;
+  }
+
+  void hold(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal) const {
+    if (!c.cushion || laws_.noses[c.b].tangential == 1) return;
+    const Vec tangent = perp(normal);
+    Vec& velocity = bodies[c.a].velocity;
+    const Real lost = (1 - laws_.noses[c.b].tangential) * dot(velocity, tangent);
+    velocity = velocity - tangent * lost;
+  }
+
+  /// Contacts with e < 1 that touch without approach and would close under their accelerations
+  /// separate at the speed below which such contacts are elastic. And a predicted contact of which
+  /// rounding has left no approach is logged all the same. False if there is neither.
+  bool push_apart(std::vector<Body<Real>>& bodies, Real time_s) {
+    bool any = false;
+    for (Contact<Real>& contact : contacts_) {
+      const Real speed = approach(bodies, contact, contact.normal);
+      const bool level = magnitude(speed) <= unresolved_;
+      const Real apart = bounce_of(contact).elastic_below_m_s;
+      const bool pushed = level && apart > 0 && closes(bodies, contact);
+      if (pushed) {
+        apply(bodies, contact, contact.normal, contact.cushion ? apart : apart / 2);
+      }
+      if (pushed || contact.predicted) {
+        log(bodies, contact, time_s);
+        any = true;
+      }
+      contact.predicted = false;
+    }
+    return any;
+  }
+
+  /// Whether the second derivative of the gap is negative.
+  bool closes(const std::vector<Body<Real>>& bodies, const Contact<Real>& c) const {
+    const Vec pull = laws_.acceleration_of(bodies[c.a].velocity);
+    if (c.cushion) return dot(pull, c.normal) > 0;
+    const Vec velocity = relative_velocity(bodies, c);
+    const Vec acceleration = pull - laws_.acceleration_of(bodies[c.b].velocity);
+    const Vec between = bodies[c.b].position - bodies[c.a].position;
+    return dot(velocity, velocity) - dot(acceleration, between) < 0;
+  }
+
+  const Laws<Real>& laws_;
+  PhiloxKey key_;
+  Real unresolved_{};
+  std::uint32_t pass_ = 0;
+  std::vector<Contact<Real>> contacts_;
+  std::vector<Contact<Real>> approaching_;
+  std::vector<std::uint32_t> struck_;
+  std::vector<BasicEvent<Real>> events_;
+  // Of the connected set being resolved; kept between sets for their memory alone.
+  std::vector<Vec> normals_;
+  std::vector<Vec> before_;
+  std::vector<Real> tilts_;
+  std::vector<Real> rates_;
+};
+
+}  // namespace breakshot::physics

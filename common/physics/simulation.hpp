@@ -1,0 +1,324 @@
+// The loop, for any scalar: from one instant with events to the next. However a caller slices the
+// advance, the shot has the same bits: nothing is written between events.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "common/physics/calendar.hpp"
+#include "common/physics/event.hpp"
+#include "common/physics/resolve.hpp"
+#include "common/physics/simulate.hpp"
+
+namespace breakshot::physics {
+
+/// Sets that may follow one another at one instant, beyond which the shot is stalled: contacts that
+/// neither part nor let time pass.
+inline constexpr std::uint32_t max_sets_at_an_instant = 1'000;
+
+enum class Progress : std::uint8_t { paused, finished, stalled };
+
+template <class Real>
+class BasicSimulation {
+ public:
+  /// The input must be free of faults. A strike sets its ball in motion at time 0.
+  BasicSimulation(const Scene& scene, const State& state, const std::optional<Strike>& strike,
+                  const ShotSeed& seed, const Limits& limits)
+      : laws_(scene),
+        limits_(limits),
+        calendar_(laws_, top_speed_of(state, strike)),
+        contacts_(laws_, seed) {
+    place(state, strike);
+  }
+
+  BasicSimulation(const BasicSimulation&) = delete;
+  BasicSimulation& operator=(const BasicSimulation&) = delete;
+
+  /// Processes all events up to and including `time_s`, an absolute time; earlier ones than the
+  /// last change nothing.
+  Progress advance_to(Real time_s) {
+    const Real horizon = limits_.horizon_s ? Real(*limits_.horizon_s) : never<Real>;
+    while (progress_ == Progress::paused) {
+      const Real next = calendar_.earliest();
+      if (next > horizon || next == never<Real>) {
+        if (time_s < horizon && (moving() || next < never<Real>)) return progress_;
+        finish(horizon);
+      } else if (next > time_s) {
+        return progress_;
+      } else if (shot_.events.size() >= limits_.max_events) {
+        stall(StallCause::events);
+      } else {
+        process(next);
+      }
+    }
+    return progress_;
+  }
+
+  /// What has happened so far; complete once finished.
+  const BasicShot<Real>& shot() const { return shot_; }
+
+  /// The outcome of a finished or stalled simulation, which is used up.
+  std::variant<BasicShot<Real>, BasicStalled<Real>> take() && {
+    if (progress_ != Progress::stalled) return std::move(shot_);
+    std::sort(stalled_.begin(), stalled_.end());
+    return BasicStalled<Real>{cause_, std::move(stalled_), std::move(shot_)};
+  }
+
+ private:
+  using Vec = BasicVec2<Real>;
+
+  /// No ball can ever be faster than all energy in one ball makes it, give or take weak contacts.
+  static Real top_speed_of(const State& state, const std::optional<Strike>& strike) {
+    Real squares = 1;
+    for (const Ball& ball : state.balls) {
+      const Vec velocity{Real(ball.velocity.x), Real(ball.velocity.y)};
+      squares += dot(velocity, velocity);
+    }
+    if (strike) squares += Real(strike->speed_m_s) * Real(strike->speed_m_s);
+    using std::sqrt;
+    return sqrt(squares);
+  }
+
+  void place(const State& state, const std::optional<Strike>& strike) {
+    std::vector<Ball> balls = state.balls;
+    std::sort(balls.begin(), balls.end(), [](const Ball& a, const Ball& b) { return a.id < b.id; });
+    calendar_.resize(balls.size());
+    shot_.segments.reserve(8 * balls.size() + 64);
+    shot_.events.reserve(256);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      Vec velocity{Real(balls[i].velocity.x), Real(balls[i].velocity.y)};
+      if (strike && strike->ball == balls[i].id) {
+        const Vec direction{Real(strike->direction.x), Real(strike->direction.y)};
+        velocity = direction / length(direction) * Real(strike->speed_m_s);
+        shot_.events.push_back(BasicStruck<Real>{Real(0), strike->ball});
+      }
+      const Vec position{Real(balls[i].position.x), Real(balls[i].position.y)};
+      bodies_.push_back({balls[i].id, position, velocity, 0});
+      const Path<Real> path = laws_.path_from(balls[i].id, Real(0), position, velocity);
+      calendar_.set(i, path);
+      shot_.segments.push_back(path.segment);
+    }
+    calendar_.update(Real(0));
+  }
+
+  bool moving() const {
+    for (std::size_t i = 0; i < calendar_.size(); ++i) {
+      if (calendar_.present(i) && calendar_.path(i).segment.phase != Phase::rest) return true;
+    }
+    return false;
+  }
+
+  void finish(Real horizon) {
+    progress_ = Progress::finished;
+    const bool still = !moving();
+    shot_.stop = still ? Stop::rest : Stop::horizon;
+    shot_.end_s = still ? now_s_ : horizon;
+  }
+
+  void stall(StallCause cause) {
+    progress_ = Progress::stalled;
+    cause_ = cause;
+    shot_.end_s = now_s_;
+    if (cause == StallCause::events) stalled_ = last_balls_;
+  }
+
+  /// Everything that happens at one instant: phases that end, then contacts as a set, then pockets.
+  void process(Real time_s) {
+    begin_instant(time_s);
+    for (std::uint32_t i = 0; i < calendar_.size(); ++i) {
+      if (calendar_.next(i).time_s == time_s) take_up(i);
+    }
+    const bool peace =
+        contacts_.settle(bodies_, time_s, [this](std::uint32_t ball) { add_touching(ball); });
+    for (const BasicEvent<Real>& event : contacts_.events()) shot_.events.push_back(event);
+    for (const std::uint32_t ball : contacts_.balls()) touch(ball);
+    drop_balls();
+    last_balls_.clear();
+    for (const std::uint32_t ball : touched_) last_balls_.push_back(bodies_[ball].id);
+    end_instant();
+    if (!peace || sets_here_ >= max_sets_at_an_instant) {
+      stalled_ = last_balls_;
+      stall(peace ? StallCause::instant : StallCause::passes);
+    }
+  }
+
+  void begin_instant(Real time_s) {
+    const bool again = time_s == now_s_ && sets_here_ > 0;
+    sets_here_ = again ? sets_here_ + 1 : 1;
+    if (!again) {
+      first_event_ = time_s == 0 ? 0 : shot_.events.size();
+      first_segment_ = time_s == 0 ? 0 : shot_.segments.size();
+    }
+    now_s_ = time_s;
+    contacts_.begin(again ? contacts_.next_pass() : 0);
+    touched_.clear();
+    ended_.clear();
+    mouths_.clear();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const BasicSegment<Real>& s = calendar_.path(i).segment;
+      bodies_[i].position = position_at(s, time_s);
+      bodies_[i].velocity = velocity_at(s, time_s);
+    }
+  }
+
+  /// An appointment has come.
+  void take_up(std::uint32_t ball) {
+    const Appointment<Real>& appointment = calendar_.next(ball);
+    if (appointment.due == Due::ball) {
+      contacts_.add_balls(bodies_, ball, appointment.with, true);
+    } else if (appointment.due == Due::cushion) {
+      meet_nose(ball, appointment.with, true);
+    } else {
+      end_phase(ball);
+    }
+  }
+
+  void end_phase(std::uint32_t ball) {
+    const Path<Real> path = laws_.path_after(calendar_.path(ball));
+    bodies_[ball].velocity = path.segment.velocity;
+    ended_.push_back({ball, path});
+    if (path.segment.phase == Phase::rest) {
+      shot_.events.push_back(BasicRests<Real>{now_s_, bodies_[ball].id});
+    } else {
+      shot_.events.push_back(BasicRolls<Real>{now_s_, bodies_[ball].id});
+    }
+    touch(ball);
+  }
+
+  void meet_nose(std::uint32_t ball, std::uint32_t nose, bool predicted) {
+    const auto pocket = laws_.pocket_at(nose, bodies_[ball].position);
+    if (pocket) {
+      mouths_.push_back({ball, nose, *pocket});
+      touch(ball);
+    } else {
+      contacts_.add_cushion(bodies_, ball, nose, predicted);
+    }
+  }
+
+  /// Adds all contacts of a ball that touch at this instant.
+  void add_touching(std::uint32_t ball) {
+    const Body<Real>& body = bodies_[ball];
+    if (laws_.ball_ball) {
+      for (std::uint32_t other = 0; other < bodies_.size(); ++other) {
+        if (other != ball && calendar_.present(other) && balls_touch(body, bodies_[other])) {
+          contacts_.add_balls(bodies_, ball, other, false);
+        }
+      }
+    }
+    for (std::uint32_t nose = 0; nose < laws_.noses.size(); ++nose) {
+      if (nose_touches(body, laws_.noses[nose])) meet_nose(ball, nose, false);
+    }
+  }
+
+  bool balls_touch(const Body<Real>& a, const Body<Real>& b) const {
+    const Vec between = b.position - a.position;
+    const Real coordinate = larger(
+        laws_.diameter, larger(largest_coordinate(a.position), largest_coordinate(b.position)));
+    const Real gap = touch_gap(coordinate, length(b.velocity - a.velocity), now_s_);
+    const Real reach = (laws_.diameter + gap) * (1 + 4 * std::numeric_limits<Real>::epsilon());
+    if (dot(between, between) > reach * reach) return false;
+    return length(between) - laws_.diameter <= gap;
+  }
+
+  bool nose_touches(const Body<Real>& body, const Nose<Real>& nose) const {
+    const Vec offset = body.position - nose.from;
+    const Real gap = dot(offset, nose.inward) - laws_.radius;
+    const Real coordinate = larger(laws_.radius, largest_coordinate(body.position));
+    const Real foot = dot(offset, nose.along);
+    return gap <= touch_gap(coordinate, length(body.velocity), now_s_) &&
+           gap >= -touch_gap(coordinate, 2 * calendar_.top_speed(), now_s_) && foot >= 0 &&
+           foot <= nose.extent;
+  }
+
+  /// Balls that still move outwards at a pocket's mouth when the contacts are resolved drop.
+  void drop_balls() {
+    const std::uint32_t pass = contacts_.next_pass() > 0 ? contacts_.next_pass() - 1 : 0;
+    for (const Mouth& mouth : mouths_) {
+      const Vec inward = laws_.noses[mouth.nose].inward;
+      if (!calendar_.present(mouth.ball) || !(dot(bodies_[mouth.ball].velocity, inward) < 0)) {
+        continue;
+      }
+      shot_.events.push_back(
+          BasicBallPocket<Real>{now_s_, pass, bodies_[mouth.ball].id, mouth.pocket});
+      bodies_[mouth.ball].velocity = {};
+      calendar_.remove(mouth.ball);
+    }
+  }
+
+  void touch(std::uint32_t ball) {
+    if (std::find(touched_.begin(), touched_.end(), ball) == touched_.end()) {
+      touched_.push_back(ball);
+    }
+  }
+
+  /// Gives every ball of the instant its new path and puts events and segments in order.
+  void end_instant() {
+    for (const std::uint32_t ball : touched_) {
+      const Path<Real> path = path_of(ball);
+      calendar_.set(ball, path);
+      write(path.segment);
+    }
+    calendar_.update(now_s_);
+    std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_), shot_.events.end(),
+              comes_before<Real>);
+    std::sort(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_),
+              shot_.segments.end(), [](const auto& a, const auto& b) { return a.ball < b.ball; });
+  }
+
+  Path<Real> path_of(std::uint32_t ball) const {
+    const Body<Real>& body = bodies_[ball];
+    if (!calendar_.present(ball)) {
+      Path<Real> dropped;
+      dropped.segment = {body.id, Phase::pocketed, now_s_, body.position, {}, {}};
+      return dropped;
+    }
+    for (const auto& [ended, path] : ended_) {
+      if (ended == ball && path.segment.velocity == body.velocity) return path;
+    }
+    return laws_.path_from(body.id, now_s_, body.position, body.velocity);
+  }
+
+  /// One segment a ball and instant: a second set at the same instant replaces those of the first.
+  void write(const BasicSegment<Real>& segment) {
+    for (std::size_t i = first_segment_; i < shot_.segments.size(); ++i) {
+      if (shot_.segments[i].ball == segment.ball) {
+        shot_.segments[i] = segment;
+        return;
+      }
+    }
+    shot_.segments.push_back(segment);
+  }
+
+  /// A ball that reaches a nose where a pocket is.
+  struct Mouth {
+    std::uint32_t ball;
+    std::uint32_t nose;
+    PocketId pocket;
+  };
+
+  Laws<Real> laws_;
+  Limits limits_;
+  TableCalendar<Real> calendar_;
+  ContactSet<Real> contacts_;
+  std::vector<Body<Real>> bodies_;
+  BasicShot<Real> shot_;
+  Progress progress_ = Progress::paused;
+  Real now_s_{};
+  // Of the present instant.
+  std::uint32_t sets_here_ = 0;
+  std::size_t first_event_ = 0;
+  std::size_t first_segment_ = 0;
+  std::vector<std::uint32_t> touched_;
+  std::vector<std::pair<std::uint32_t, Path<Real>>> ended_;
+  std::vector<Mouth> mouths_;
+  std::vector<BallId> last_balls_;
+  StallCause cause_ = StallCause::events;
+  std::vector<BallId> stalled_;
+};
+
+using Simulation = BasicSimulation<double>;
+extern template class BasicSimulation<double>;
+
+}  // namespace breakshot::physics
