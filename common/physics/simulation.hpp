@@ -59,6 +59,14 @@ class BasicSimulation {
   /// What has happened so far; complete once finished.
   const BasicShot<Real>& shot() const { return shot_; }
 
+  /// What has happened up to `time_s`, to which the simulation has advanced.
+  BasicShot<Real> shot_until(Real time_s) const {
+    BasicShot<Real> shot = shot_;
+    shot.stop = Stop::horizon;
+    shot.end_s = time_s;
+    return shot;
+  }
+
   /// The outcome of a finished or stalled simulation, which is used up.
   std::variant<BasicShot<Real>, BasicStalled<Real>> take() && {
     if (progress_ != Progress::stalled) return std::move(shot_);

@@ -28,6 +28,11 @@ double finite(double value, const Where& at) {
   return 0;
 }
 
+double required(bool present, double value, const Where& at) {
+  if (!present) at.refuse("is missing; it must be given");
+  return finite(value, at);
+}
+
 rules::Seat seat(std::uint32_t value, const Where& at) {
   if (value < match::max_practice_seats) return rules::Seat{static_cast<std::uint8_t>(value)};
   at.refuse("is " + std::to_string(value) + "; a seat is a number from 0 to 7");

@@ -39,6 +39,8 @@ class Where {
 // Each returns the value, or a harmless one and a fault.
 
 double finite(double value, const Where& at);
+/// A number that has no default must be there: missing is not 0.
+double required(bool present, double value, const Where& at);
 rules::Seat seat(std::uint32_t value, const Where& at);
 physics::PocketId pocket(std::uint32_t value, const Where& at);
 std::array<std::uint8_t, 32> bytes32(const std::string& value, const Where& at);

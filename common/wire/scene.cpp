@@ -61,23 +61,19 @@ void write(const physics::BallBallModel& model, v1::BallBallModel& message) {
 
 // ---- Reading
 
-physics::Vec2 read(const v1::Vec2& message, const Where& at) {
-  if (!message.has_x()) Where(at, "x").refuse("is missing; it must be given");
-  if (!message.has_y()) Where(at, "y").refuse("is missing; it must be given");
-  return {finite(message.x(), Where(at, "x")), finite(message.y(), Where(at, "y"))};
-}
-
 physics::Motion read(const v1::Motion& message, const Where& at) {
   switch (message.kind_case()) {
     case v1::Motion::kFrictionless:
       return physics::Frictionless{};
     case v1::Motion::kStraight: {
-      physics::Straight straight;
       const v1::Straight& said = message.straight();
-      if (said.has_sliding_friction()) straight.sliding_friction = said.sliding_friction();
-      if (said.has_rolling_friction()) straight.rolling_friction = said.rolling_friction();
-      if (said.has_rolling_below()) straight.rolling_below_m_s = said.rolling_below();
-      return straight;
+      const Where here(at, "straight");
+      return physics::Straight{
+          required(said.has_sliding_friction(), said.sliding_friction(),
+                   Where(here, "sliding_friction")),
+          required(said.has_rolling_friction(), said.rolling_friction(),
+                   Where(here, "rolling_friction")),
+          required(said.has_rolling_below(), said.rolling_below(), Where(here, "rolling_below"))};
     }
     case v1::Motion::KIND_NOT_SET:
       break;
@@ -93,8 +89,10 @@ physics::CushionModel read(const v1::CushionModel& message, const Where& at) {
     case v1::CushionModel::kRestitution: {
       physics::CushionRestitution model;
       const v1::CushionRestitution& said = message.restitution();
-      if (said.has_normal()) model.normal = said.normal();
-      if (said.has_tangential()) model.tangential = said.tangential();
+      const Where here(at, "restitution");
+      model.normal = required(said.has_normal(), said.normal(), Where(here, "normal"));
+      model.tangential =
+          required(said.has_tangential(), said.tangential(), Where(here, "tangential"));
       if (said.has_elastic_below()) model.elastic_below_m_s = said.elastic_below();
       return model;
     }
@@ -131,7 +129,8 @@ physics::BallBallModel read(const v1::BallBallModel& message, const Where& at) {
     case v1::BallBallModel::kRestitution: {
       physics::BallRestitution model;
       const v1::BallRestitution& said = message.restitution();
-      if (said.has_normal()) model.normal = said.normal();
+      model.normal =
+          required(said.has_normal(), said.normal(), Where(Where(at, "restitution"), "normal"));
       if (said.has_elastic_below()) model.elastic_below_m_s = said.elastic_below();
       return model;
     }
@@ -169,6 +168,11 @@ void write(const physics::Scene& scene, v1::Scene& message) {
     message.mutable_perturbation()->set_ball(scene.perturbation->ball);
     message.mutable_perturbation()->set_cushion(scene.perturbation->cushion);
   }
+}
+
+physics::Vec2 read(const v1::Vec2& message, const Where& at) {
+  return {required(message.has_x(), message.x(), Where(at, "x")),
+          required(message.has_y(), message.y(), Where(at, "y"))};
 }
 
 physics::Scene read(const v1::Scene& message, const Where& at) {

@@ -8,8 +8,9 @@
 namespace breakshot::wire {
 
 void write(const physics::Scene& scene, v1::Scene& message);
-/// The form of a scene; its ranges are physics::faults_of's to check. A number that is missing is
-/// the domain's default.
+physics::Vec2 read(const v1::Vec2& message, const Where& at);
+/// The form of a scene; its ranges are physics::faults_of's to check. Numbers that have a default
+/// may be missing; the message names the default.
 physics::Scene read(const v1::Scene& message, const Where& at);
 
 }  // namespace breakshot::wire

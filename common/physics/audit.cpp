@@ -1,0 +1,132 @@
+#include "common/physics/audit.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "common/physics/detect.hpp"
+#include "common/physics/timeline.hpp"
+
+namespace breakshot::physics {
+namespace {
+
+/// Follows a shot from instant to instant.
+class Auditor {
+ public:
+  Auditor(const Scene& scene, const Shot& shot)
+      : scene_(scene), shot_(shot), laws_(scene), balls_(Timeline(shot).balls()) {
+    now_.resize(balls_.size());
+  }
+
+  Audit run() {
+    while (segment_ < shot_.segments.size() && shot_.segments[segment_].start_s == 0) take();
+    audit_.energy_start_J = energy(0);
+    check_overlaps(0);
+    skip_events(0);
+    while (segment_ < shot_.segments.size()) {
+      const double t = shot_.segments[segment_].start_s;
+      const std::vector<Segment> before = now_;
+      const double energy_before = energy(t);
+      while (segment_ < shot_.segments.size() && shot_.segments[segment_].start_s == t) take();
+      const double rise = energy(t) - energy_before - allowed(t, before);
+      audit_.worst_rise_J = std::max(audit_.worst_rise_J, rise);
+      check_overlaps(t);
+    }
+    audit_.energy_end_J = energy(shot_.end_s);
+    return audit_;
+  }
+
+ private:
+  std::size_t index_of(BallId ball) const {
+    return static_cast<std::size_t>(std::lower_bound(balls_.begin(), balls_.end(), ball) -
+                                    balls_.begin());
+  }
+
+  void take() {
+    const Segment& segment = shot_.segments[segment_++];
+    now_[index_of(segment.ball)] = segment;
+  }
+
+  void skip_events(double time_s) {
+    while (event_ < shot_.events.size() && time_of(shot_.events[event_]) == time_s) ++event_;
+  }
+
+  double energy(double time_s) const {
+    double sum = 0;
+    for (const Segment& segment : now_) {
+      const Vec2 velocity = velocity_at(segment, time_s);
+      sum += dot(velocity, velocity);
+    }
+    return scene_.ball.mass_kg / 2 * sum;
+  }
+
+  /// What weak contacts may add at this instant: one allowance for each contact that did not
+  /// approach before it, and for each later pass, whose approaches the record does not hold.
+  double allowed(double time_s, const std::vector<Segment>& before) {
+    double sum = 0;
+    for (; event_ < shot_.events.size() && time_of(shot_.events[event_]) == time_s; ++event_) {
+      const auto* contact = std::get_if<BallBall>(&shot_.events[event_]);
+      if (contact == nullptr || !laws_.ball_ball) continue;
+      const Segment& a = before[index_of(contact->lower)];
+      const Segment& b = before[index_of(contact->higher)];
+      const Vec2 between = position_at(b, time_s) - position_at(a, time_s);
+      const Vec2 velocity = velocity_at(b, time_s) - velocity_at(a, time_s);
+      const double approach = -dot(between, velocity) / length(between);
+      const double speeds = length(velocity_at(a, time_s)) + length(velocity_at(b, time_s));
+      if (contact->pass == 0 && approach > 2 * unresolved_speed(speeds)) continue;
+      const double apart = laws_.ball_ball->elastic_below_m_s;
+      sum += scene_.ball.mass_kg * apart * apart / 4;
+    }
+    return sum;
+  }
+
+  void check_overlaps(double time_s) {
+    std::vector<Vec2> places;
+    for (const Segment& segment : now_) {
+      if (segment.phase != Phase::pocketed) places.push_back(position_at(segment, time_s));
+    }
+    for (const Vec2 place : places) check_cushions(place);
+    if (!laws_.ball_ball) return;
+    std::sort(places.begin(), places.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::size_t j = i + 1; j < places.size(); ++j) {
+        if (places[j].x - places[i].x > laws_.diameter) break;
+        deepen(laws_.diameter - length(places[j] - places[i]));
+      }
+    }
+  }
+
+  /// Inside a rectangle no cushion line may be passed; a free cushion only counts where the ball's
+  /// centre is in front of it.
+  void check_cushions(Vec2 place) {
+    const bool enclosed =
+        scene_.cushions && std::holds_alternative<RectangleCushions>(*scene_.cushions);
+    for (const Nose<double>& nose : laws_.noses) {
+      const Vec2 offset = place - nose.from;
+      const double distance = dot(offset, nose.inward);
+      const double foot = dot(offset, nose.along);
+      const bool in_front = distance >= 0 && foot >= 0 && foot <= nose.extent;
+      if (enclosed || in_front) deepen(laws_.radius - distance);
+    }
+  }
+
+  void deepen(double overlap_m) {
+    audit_.worst_penetration_m = std::max(audit_.worst_penetration_m, overlap_m);
+  }
+
+  const Scene& scene_;
+  const Shot& shot_;
+  Laws<double> laws_;
+  std::vector<BallId> balls_;
+  std::vector<Segment> now_;
+  std::size_t segment_ = 0;
+  std::size_t event_ = 0;
+  Audit audit_;
+};
+
+}  // namespace
+
+Audit audit(const Scene& scene, const Shot& shot) {
+  return Auditor(scene, shot).run();
+}
+
+}  // namespace breakshot::physics

@@ -1,0 +1,22 @@
+// Checks a shot against what must hold at every event: energy does not rise and nothing overlaps,
+// beyond what rounding explains.
+#pragma once
+
+#include "common/physics/event.hpp"
+#include "common/physics/scene.hpp"
+
+namespace breakshot::physics {
+
+struct Audit {
+  double energy_start_J = 0;  ///< kinetic, just after the strike
+  double energy_end_J = 0;
+  /// The greatest rise of the kinetic energy at one instant, without what the weak-contact rule of
+  /// contacts with e < 1 allows: m elastic_below^2 / 4 where a pair without approach separates.
+  double worst_rise_J = 0;
+  /// The deepest overlap of two balls, or of a ball and a cushion, at any instant with events, m.
+  double worst_penetration_m = 0;
+};
+
+Audit audit(const Scene& scene, const Shot& shot);
+
+}  // namespace breakshot::physics
