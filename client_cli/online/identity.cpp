@@ -43,12 +43,12 @@ std::string file_name_of(std::string_view text) {
   constexpr const char* digits = "0123456789ABCDEF";
   std::string name;
   for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
     const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-                       c == '-' || c == '_' || (c == '.' && !name.empty());
+                       c == '-' || c == '_' || (c == '.' && !name.empty()) || byte >= 0x80;
     if (plain) {
       name += c;
     } else {
-      const auto byte = static_cast<unsigned char>(c);
       name += '%';
       name += digits[byte / 16];
       name += digits[byte % 16];

@@ -29,7 +29,8 @@ class TokenStore {
   /// Replaces the guest's token in one step, so that a crash leaves the old one or the new one.
   void save(const ServerAddress& server, const std::string& name, const lobby::Token& token) const;
 
-  /// <directory>/tokens/<server>/<name>, with what is unfit for file names as %XX.
+  /// <directory>/tokens/<server>/<name>, with ASCII that is unfit for file names as
+  /// %XX: the longest name is 128 bytes and stays below the 255 of a file name.
   std::filesystem::path file_of(const ServerAddress& server, const std::string& name) const;
 
  private:

@@ -113,6 +113,10 @@ TEST(Identity, NamesNeverLeaveTheDirectory) {
     EXPECT_EQ(store.load(server, name), token_of(7)) << name;
     EXPECT_EQ(store.file_of(server, name).parent_path(), store.file_of(server, "x").parent_path());
   }
+  std::string longest;
+  for (int i = 0; i < 32; ++i) longest += "\xf0\x9f\x8e\xb1";
+  store.save(server, longest, token_of(8));
+  EXPECT_EQ(store.load(server, longest), token_of(8));
   EXPECT_NE(store.file_of(server, "%41"), store.file_of(server, "A"));
 }
 
