@@ -23,6 +23,13 @@ class Arbitrary {
   std::uint64_t below(std::uint64_t end) { return random_() % end; }
   bool coin() { return below(2) == 0; }
 
+  template <std::size_t N>
+  std::array<std::uint8_t, N> bytes() {
+    std::array<std::uint8_t, N> bytes{};
+    for (auto& byte : bytes) byte = static_cast<std::uint8_t>(below(256));
+    return bytes;
+  }
+
   double real() {
     static constexpr double awkward[] = {0.0,
                                          -0.0,
@@ -114,13 +121,6 @@ class Arbitrary {
   physics::BallId ball() { return physics::BallId{number()}; }
   physics::PocketId pocket() { return physics::PocketId(below(256)); }
   physics::Vec2 vec2() { return {real(), real()}; }
-
-  template <std::size_t N>
-  std::array<std::uint8_t, N> bytes() {
-    std::array<std::uint8_t, N> bytes{};
-    for (auto& byte : bytes) byte = static_cast<std::uint8_t>(below(256));
-    return bytes;
-  }
 
   template <class T>
   const T& one_of(const std::vector<T>& values) {
