@@ -44,7 +44,7 @@ std::vector<Foul> fouls_of(const GameStatus& status, const physics::State& befor
   return fouls;
 }
 
-/// Whether the called ball dropped into the called pocket.
+/// Whether the called ball dropped into the called pocket. A safety calls neither, so none does.
 bool called_shot_made(const Facts& facts, const Call& call) {
   return std::any_of(facts.pocketed.begin(), facts.pocketed.end(), [&](const Pocketed& p) {
     return call.ball == p.ball && call.pocket == p.pocket;
@@ -72,7 +72,7 @@ void judge_eight(EightBallAfter& after, const physics::State& before, const Fact
 void judge_play(EightBallAfter& after, const Facts& facts, const Call& call) {
   GameStatus& status = after.game.status;
   const bool foul = !after.ruling.fouls.empty();
-  if (foul || call.safety || !called_shot_made(facts, call)) {
+  if (foul || !called_shot_made(facts, call)) {
     status.turn = other(status.turn);
     if (foul) status.ball_in_hand = BallInHand::anywhere;
     return;

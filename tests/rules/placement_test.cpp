@@ -98,6 +98,7 @@ TEST(Rule1_5, TheCueBallGoesAnywhereOnTheBedThatIsFree) {
   EXPECT_EQ(fault(table, {0.5, -0.3}), "");
   EXPECT_EQ(fault(table, {1.139825, 0.555625}), "") << "frozen to two cushions";
   EXPECT_EQ(fault(table, {0.1 + diameter, 0.1}), "") << "touching a ball";
+  EXPECT_EQ(fault(table, {0.1 + diameter - 1e-13, 0.1}), "") << "but for what decimals lose";
 }
 
 TEST(Rule1_5, APlaceOnAnotherBallIsRefusedWithWhatWouldBeRight) {
