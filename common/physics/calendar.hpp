@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/physics/body.hpp"
 #include "common/physics/detect.hpp"
 
 namespace breakshot::physics {
@@ -24,53 +25,41 @@ struct Appointment {
 template <class Real>
 class TableCalendar {
  public:
-  explicit TableCalendar(const Laws<Real>& laws, Real top_speed)
-      : laws_(laws), top_speed_(top_speed) {}
-
-  void resize(std::size_t balls) {
-    paths_.resize(balls);
-    next_.resize(balls);
-    own_.resize(balls);
-    here_.resize(balls);
-    present_.assign(balls, true);
-    fresh_.assign(balls, true);
-  }
+  TableCalendar(const Laws<Real>& laws, Real top_speed, std::size_t balls)
+      : laws_(laws),
+        top_speed_(top_speed),
+        paths_(balls),
+        next_(balls),
+        own_(balls),
+        fresh_(balls) {}
 
   const Path<Real>& path(std::size_t ball) const { return paths_[ball]; }
-  bool present(std::size_t ball) const { return present_[ball]; }
   const Appointment<Real>& next(std::size_t ball) const { return next_[ball]; }
-  std::size_t size() const { return paths_.size(); }
   /// Faster than any ball can become, m/s.
   Real top_speed() const { return top_speed_; }
 
   /// Gives a ball a new path. update() must follow before next() is asked again.
   void set(std::size_t ball, const Path<Real>& path) {
     paths_[ball] = path;
-    mark(ball);
-  }
-
-  /// Takes a pocketed ball out.
-  void remove(std::size_t ball) {
-    present_[ball] = false;
-    mark(ball);
+    if (!fresh_[ball]) changed_.push_back(ball);
+    fresh_[ball] = true;
   }
 
   /// Predicts anew for the balls that changed at `now_s`, and for those that had an appointment
-  /// with one of them.
-  void update(Real now_s) {
-    for (std::size_t i = 0; i < size(); ++i) {
+  /// with one of them. `bodies` are all balls at that instant.
+  void update(const std::vector<Body<Real>>& bodies, Real now_s) {
+    for (std::size_t i = 0; i < next_.size(); ++i) {
       const bool stood_up = next_[i].due == Due::ball && fresh_[next_[i].with];
       if (stood_up && !fresh_[i]) stale_.push_back(i);
     }
-    look_around(now_s);
     for (const std::size_t i : changed_) {
-      own_[i] = own_event(i);
+      own_[i] = own_event(bodies[i], paths_[i]);
       next_[i] = own_[i];
     }
     for (const std::size_t i : stale_) next_[i] = own_[i];
     if (laws_.ball_ball) {
-      for (const std::size_t i : changed_) meet_all(i, now_s);
-      for (const std::size_t i : stale_) meet_all(i, now_s);
+      for (const std::size_t i : changed_) meet_all(bodies, i, now_s);
+      for (const std::size_t i : stale_) meet_all(bodies, i, now_s);
     }
     for (const std::size_t i : changed_) fresh_[i] = false;
     changed_.clear();
@@ -87,33 +76,9 @@ class TableCalendar {
   }
 
  private:
-  /// What is seen of a ball from the present: a basis for rejections, never for times.
-  struct Glimpse {
-    BasicVec2<Real> position;
-    BasicVec2<Real> velocity;
-    BasicVec2<Real> acceleration;
-    bool rests = true;
-  };
-
-  void mark(std::size_t ball) {
-    if (std::find(changed_.begin(), changed_.end(), ball) == changed_.end()) {
-      changed_.push_back(ball);
-    }
-    fresh_[ball] = true;
-  }
-
-  void look_around(Real now_s) {
-    for (std::size_t i = 0; i < size(); ++i) {
-      const BasicSegment<Real>& s = paths_[i].segment;
-      here_[i] = {position_at(s, now_s), velocity_at(s, now_s), s.acceleration,
-                  s.phase == Phase::rest};
-    }
-  }
-
-  Appointment<Real> own_event(std::size_t ball) const {
+  Appointment<Real> own_event(const Body<Real>& body, const Path<Real>& path) const {
     Appointment<Real> first;
-    const Path<Real>& path = paths_[ball];
-    if (!present_[ball] || path.segment.phase == Phase::rest) return first;
+    if (body.rests) return first;
     if (path.end_s < never<Real>) first = {path.end_s, Due::phase_end, 0};
     for (std::size_t nose = 0; nose < laws_.noses.size(); ++nose) {
       const Real t = cushion_time(path, laws_.noses[nose], laws_.radius, top_speed_);
@@ -122,50 +87,43 @@ class TableCalendar {
     return first;
   }
 
-  void meet_all(std::size_t i, Real now_s) {
-    if (!present_[i]) return;
-    for (std::size_t j = 0; j < size(); ++j) {
-      if (j == i || !present_[j] || (here_[i].rests && here_[j].rests)) continue;
+  void meet_all(const std::vector<Body<Real>>& bodies, std::size_t i, Real now_s) {
+    const Body<Real>& body = bodies[i];
+    if (!body.present) return;
+    for (std::size_t j = 0; j < bodies.size(); ++j) {
+      const Body<Real>& other = bodies[j];
+      if (!other.present || (body.rests && other.rests) || j == i) continue;
       const Real until = next_[i].time_s < next_[j].time_s ? next_[i].time_s : next_[j].time_s;
-      if (out_of_reach(here_[i], here_[j], until - now_s)) continue;
+      if (out_of_reach(body, other, until - now_s)) continue;
       const Real t = contact_time(paths_[std::min(i, j)], paths_[std::max(i, j)], laws_.diameter);
-      if (t < next_[i].time_s) {
-        next_[i] = {t, Due::ball, static_cast<std::uint32_t>(j)};
-      }
-      if (t < next_[j].time_s) {
-        next_[j] = {t, Due::ball, static_cast<std::uint32_t>(i)};
-      }
+      if (t < next_[i].time_s) next_[i] = {t, Due::ball, static_cast<std::uint32_t>(j)};
+      if (t < next_[j].time_s) next_[j] = {t, Due::ball, static_cast<std::uint32_t>(i)};
     }
   }
 
   /// Whether two balls certainly stay apart for `span` seconds: two axes that may separate them,
   /// the line of centres and the normal of their relative velocity. A margin covers rounding, so
   /// that what is decided here never differs from what contact_time would say.
-  bool out_of_reach(const Glimpse& a, const Glimpse& b, Real span) const {
+  bool out_of_reach(const Body<Real>& a, const Body<Real>& b, Real span) const {
     using std::sqrt;
     const BasicVec2<Real> d = b.position - a.position;
     const BasicVec2<Real> w = b.velocity - a.velocity;
-    const BasicVec2<Real> bend = b.acceleration - a.acceleration;
     const Real square = dot(d, d);
     const Real reach = laws_.diameter * margin;
-    if (!(square > reach * reach)) return false;
+    if (square <= reach * reach) return false;
     const Real closing = dot(d, w);
-    if (a.rests || b.rests) {
-      if (closing >= 0) return true;
-      const Real miss = cross(d, w);
-      if (miss * miss > reach * reach * dot(w, w)) return true;
+    const Real miss = magnitude(cross(d, w));
+    const Real passing = reach * reach * dot(w, w);
+    Real drop = closing < 0 ? closing * span : Real(0);
+    if (a.rests || b.rests) {  // a deceleration towards rest only keeps balls apart
+      return closing >= 0 || miss * miss > passing || square + drop > reach * sqrt(square);
     }
-    // Along the line of centres: |d|^2 + (d . w) t + (d . bend) t^2 / 2 stays above reach |d|.
-    const Real sagging = dot(d, bend);
-    const Real floor = reach * sqrt(square);
-    if (span < never<Real>) {
-      const Real drop = (closing < 0 ? closing * span : Real(0)) +
-                        (sagging < 0 ? sagging * span * span / 2 : Real(0));
-      if (square + drop > floor) return true;
-    } else if (closing >= 0 && sagging >= 0) {
-      return true;
-    }
-    return false;
+    const BasicVec2<Real> bend = (b.acceleration - a.acceleration) * (span * span / 2);
+    const Real sag = dot(d, bend);
+    if (sag < 0) drop += sag;
+    if (square + drop > reach * sqrt(square)) return true;
+    const Real nearest = miss - magnitude(cross(bend, w));
+    return nearest > 0 && nearest * nearest > passing;
   }
 
   /// Far above rounding, far below anything that matters for speed.
@@ -176,9 +134,7 @@ class TableCalendar {
   std::vector<Path<Real>> paths_;
   std::vector<Appointment<Real>> next_;
   std::vector<Appointment<Real>> own_;
-  std::vector<Glimpse> here_;
-  std::vector<bool> present_;
-  std::vector<bool> fresh_;
+  std::vector<std::uint8_t> fresh_;
   std::vector<std::size_t> changed_;
   std::vector<std::size_t> stale_;
 };

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/physics/body.hpp"
 #include "common/physics/detect.hpp"
 #include "common/physics/event.hpp"
 #include "common/physics/perturbation.hpp"
@@ -18,15 +19,6 @@ namespace breakshot::physics {
 
 /// Passes within one set, beyond which the shot is stalled.
 inline constexpr std::uint32_t max_passes = 10'000;
-
-/// A ball at the instant of a set.
-template <class Real>
-struct Body {
-  BallId id{};
-  BasicVec2<Real> position;
-  BasicVec2<Real> velocity;
-  std::uint32_t collisions = 0;  ///< of this shot so far: the counter of its random stream
-};
 
 /// Two things that touch: balls `a` < `b`, or ball `a` and nose `b`.
 template <class Real>

@@ -62,23 +62,23 @@ QuadraticRoots<Real> quadratic_roots(Real a, Real b, Real c, Real end) {
   return roots;
 }
 
-/// A root of `value` in [low, high], where its signs differ: Newton's method, kept inside the
-/// bracket by bisection. `value` gives {f(t), f'(t)}.
+/// A root of `value` in [low, high], where its signs differ: Newton's method from `guess`, kept
+/// inside the bracket by bisection. `value` gives {f(t), f'(t)}.
 template <class Real, class Value>
-Real bracketed_root(Real low, Real high, bool rising, const Value& value) {
+Real bracketed_root(Real low, Real high, Real guess, bool rising, const Value& value) {
   // Bisection alone halves the bracket to the last bit within this many steps for every scalar.
   constexpr int max_steps = 2 * std::numeric_limits<Real>::digits + 64;
-  Real t = low + (high - low) / 2;
+  Real t = guess > low && guess < high ? guess : low + (high - low) / 2;
   for (int step = 0; step < max_steps; ++step) {
     const auto [f, slope] = value(t);
     if (f == 0) return t;
     ((f < 0) == rising ? low : high) = t;
     Real next = t - f / slope;
     if (!(next > low && next < high)) next = low + (high - low) / 2;
-    if (next == t || !(next > low && next < high)) return next;
+    if (!(next > low && next < high)) return next;
     const Real moved = next > t ? next - t : t - next;
     t = next;
-    if (moved <= ulp(t)) return t;
+    if (moved <= std::numeric_limits<Real>::epsilon() * t) return t;
   }
   return t;
 }
@@ -123,15 +123,26 @@ class EntrySearch {
     return std::nullopt;
   }
 
+  Real slope_of_closing(Real t) const { return linear_ + (2 * square_ + 3 * cubic_ * t) * t; }
+
   Real turn(Real from, Real to, bool rising) const {
-    return bracketed_root(from, to, rising, [this](Real t) {
-      return std::array<Real, 2>{motion_.closing(t), linear_ + (2 * square_ + 3 * cubic_ * t) * t};
+    const Real guess = from - motion_.closing(from) / slope_of_closing(from);
+    return bracketed_root(from, to, guess, rising, [this](Real t) {
+      return std::array<Real, 2>{motion_.closing(t), slope_of_closing(t)};
     });
   }
 
+  /// The entry on a stretch over which the distance falls. Seen from the end of the stretch the
+  /// squared distance is nearly a parabola, which gives the guess.
   std::optional<Real> falling(Real from, Real to) const {
-    if (!(excess(motion_.at(to), distance_) < 0)) return std::nullopt;
-    return bracketed_root(from, to, false, [this](Real t) {
+    using std::sqrt;
+    const Real below = excess(motion_.at(to), distance_);
+    if (!(below < 0)) return std::nullopt;
+    const Real slope = -motion_.closing(to);
+    const Real bend = slope_of_closing(to);
+    const Real root = slope * slope - bend * below;
+    const Real guess = root > 0 ? to + below / (slope + sqrt(root)) : from;
+    return bracketed_root(from, to, guess, false, [this](Real t) {
       return std::array<Real, 2>{excess(motion_.at(t), distance_), 2 * motion_.closing(t)};
     });
   }

@@ -28,7 +28,7 @@ class BasicSimulation {
                   const ShotSeed& seed, const Limits& limits)
       : laws_(scene),
         limits_(limits),
-        calendar_(laws_, top_speed_of(state, strike)),
+        calendar_(laws_, top_speed_of(state, strike), state.balls.size()),
         contacts_(laws_, seed) {
     place(state, strike);
   }
@@ -92,7 +92,6 @@ class BasicSimulation {
   void place(const State& state, const std::optional<Strike>& strike) {
     std::vector<Ball> balls = state.balls;
     std::sort(balls.begin(), balls.end(), [](const Ball& a, const Ball& b) { return a.id < b.id; });
-    calendar_.resize(balls.size());
     shot_.segments.reserve(8 * balls.size() + 64);
     shot_.events.reserve(256);
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -103,19 +102,20 @@ class BasicSimulation {
         shot_.events.push_back(BasicStruck<Real>{Real(0), strike->ball});
       }
       const Vec position{Real(balls[i].position.x), Real(balls[i].position.y)};
-      bodies_.push_back({balls[i].id, position, velocity, 0});
       const Path<Real> path = laws_.path_from(balls[i].id, Real(0), position, velocity);
+      Body<Real> body;
+      body.id = balls[i].id;
+      body.follow(path, Real(0));
+      bodies_.push_back(body);
       calendar_.set(i, path);
       shot_.segments.push_back(path.segment);
     }
-    calendar_.update(Real(0));
+    calendar_.update(bodies_, Real(0));
   }
 
   bool moving() const {
-    for (std::size_t i = 0; i < calendar_.size(); ++i) {
-      if (calendar_.present(i) && calendar_.path(i).segment.phase != Phase::rest) return true;
-    }
-    return false;
+    return std::any_of(bodies_.begin(), bodies_.end(),
+                       [](const Body<Real>& body) { return !body.rests; });
   }
 
   void finish(Real horizon) {
@@ -135,7 +135,7 @@ class BasicSimulation {
   /// Everything that happens at one instant: phases that end, then contacts as a set, then pockets.
   void process(Real time_s) {
     begin_instant(time_s);
-    for (std::uint32_t i = 0; i < calendar_.size(); ++i) {
+    for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
       if (calendar_.next(i).time_s == time_s) take_up(i);
     }
     const bool peace =
@@ -165,9 +165,7 @@ class BasicSimulation {
     ended_.clear();
     mouths_.clear();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      const BasicSegment<Real>& s = calendar_.path(i).segment;
-      bodies_[i].position = position_at(s, time_s);
-      bodies_[i].velocity = velocity_at(s, time_s);
+      if (!bodies_[i].rests) bodies_[i].follow(calendar_.path(i), time_s);
     }
   }
 
@@ -205,36 +203,41 @@ class BasicSimulation {
     }
   }
 
-  /// Adds all contacts of a ball that touch at this instant.
+  /// Adds all contacts of a ball that touch at this instant. Most gaps are far beyond the bound of
+  /// any tolerance, and are not looked at twice.
   void add_touching(std::uint32_t ball) {
     const Body<Real>& body = bodies_[ball];
+    const Real coordinate = larger(laws_.diameter, largest_coordinate(body.position));
+    const Real doubt = touch_gap_bound(2 * coordinate, 2 * calendar_.top_speed(), now_s_);
+    const Real reach = laws_.diameter + 2 * doubt;
     if (laws_.ball_ball) {
       for (std::uint32_t other = 0; other < bodies_.size(); ++other) {
-        if (other != ball && calendar_.present(other) && balls_touch(body, bodies_[other])) {
+        const Vec between = bodies_[other].position - body.position;
+        if (dot(between, between) > reach * reach || other == ball) continue;
+        if (bodies_[other].present && balls_touch(body, bodies_[other])) {
           contacts_.add_balls(bodies_, ball, other, false);
         }
       }
     }
     for (std::uint32_t nose = 0; nose < laws_.noses.size(); ++nose) {
-      if (nose_touches(body, laws_.noses[nose])) meet_nose(ball, nose, false);
+      const Vec offset = body.position - laws_.noses[nose].from;
+      const Real gap = dot(offset, laws_.noses[nose].inward) - laws_.radius;
+      if (gap <= doubt && nose_touches(body, laws_.noses[nose], gap)) {
+        meet_nose(ball, nose, false);
+      }
     }
   }
 
   bool balls_touch(const Body<Real>& a, const Body<Real>& b) const {
-    const Vec between = b.position - a.position;
     const Real coordinate = larger(
         laws_.diameter, larger(largest_coordinate(a.position), largest_coordinate(b.position)));
-    const Real gap = touch_gap(coordinate, length(b.velocity - a.velocity), now_s_);
-    const Real reach = (laws_.diameter + gap) * (1 + 4 * std::numeric_limits<Real>::epsilon());
-    if (dot(between, between) > reach * reach) return false;
-    return length(between) - laws_.diameter <= gap;
+    return length(b.position - a.position) - laws_.diameter <=
+           touch_gap(coordinate, length(b.velocity - a.velocity), now_s_);
   }
 
-  bool nose_touches(const Body<Real>& body, const Nose<Real>& nose) const {
-    const Vec offset = body.position - nose.from;
-    const Real gap = dot(offset, nose.inward) - laws_.radius;
+  bool nose_touches(const Body<Real>& body, const Nose<Real>& nose, Real gap) const {
     const Real coordinate = larger(laws_.radius, largest_coordinate(body.position));
-    const Real foot = dot(offset, nose.along);
+    const Real foot = dot(body.position - nose.from, nose.along);
     return gap <= touch_gap(coordinate, length(body.velocity), now_s_) &&
            gap >= -touch_gap(coordinate, 2 * calendar_.top_speed(), now_s_) && foot >= 0 &&
            foot <= nose.extent;
@@ -245,13 +248,13 @@ class BasicSimulation {
     const std::uint32_t pass = contacts_.next_pass() > 0 ? contacts_.next_pass() - 1 : 0;
     for (const Mouth& mouth : mouths_) {
       const Vec inward = laws_.noses[mouth.nose].inward;
-      if (!calendar_.present(mouth.ball) || !(dot(bodies_[mouth.ball].velocity, inward) < 0)) {
+      if (!bodies_[mouth.ball].present || !(dot(bodies_[mouth.ball].velocity, inward) < 0)) {
         continue;
       }
       shot_.events.push_back(
           BasicBallPocket<Real>{now_s_, pass, bodies_[mouth.ball].id, mouth.pocket});
       bodies_[mouth.ball].velocity = {};
-      calendar_.remove(mouth.ball);
+      bodies_[mouth.ball].present = false;
     }
   }
 
@@ -266,9 +269,10 @@ class BasicSimulation {
     for (const std::uint32_t ball : touched_) {
       const Path<Real> path = path_of(ball);
       calendar_.set(ball, path);
+      bodies_[ball].follow(path, now_s_);
       write(path.segment);
     }
-    calendar_.update(now_s_);
+    calendar_.update(bodies_, now_s_);
     std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_), shot_.events.end(),
               comes_before<Real>);
     std::sort(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_),
@@ -277,7 +281,7 @@ class BasicSimulation {
 
   Path<Real> path_of(std::uint32_t ball) const {
     const Body<Real>& body = bodies_[ball];
-    if (!calendar_.present(ball)) {
+    if (!body.present) {
       Path<Real> dropped;
       dropped.segment = {body.id, Phase::pocketed, now_s_, body.position, {}, {}};
       return dropped;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace breakshot::physics {
 
@@ -49,17 +50,26 @@ constexpr BasicVec2<Real> perp(BasicVec2<Real> a) {
   return {-a.y, a.x};
 }
 
-/// The length, scaled where squares would underflow or overflow; the only function used is sqrt.
+/// The length where squares underflow or overflow.
 template <class Real>
-Real length(BasicVec2<Real> a) {
+Real scaled_length(BasicVec2<Real> a) {
   using std::sqrt;
   const Real ax = a.x < 0 ? -a.x : a.x;
   const Real ay = a.y < 0 ? -a.y : a.y;
   const Real largest = ax < ay ? ay : ax;
-  if (largest > Real(1e-100) && largest < Real(1e100)) return sqrt(dot(a, a));
   if (!(largest > 0)) return largest;
   const BasicVec2<Real> scaled = a / largest;
   return largest * sqrt(dot(scaled, scaled));
+}
+
+/// The length; the only function used is sqrt.
+template <class Real>
+Real length(BasicVec2<Real> a) {
+  using std::sqrt;
+  using Limits = std::numeric_limits<Real>;
+  const Real square = dot(a, a);
+  if (square > Limits::min() / Limits::epsilon() && square < Limits::max()) return sqrt(square);
+  return scaled_length(a);
 }
 
 }  // namespace breakshot::physics
