@@ -13,18 +13,23 @@ namespace {
 
 using Code = lobby::RefusalCode;
 
-/// An accepted command as the entry that it becomes. The last one of a match reveals the secret.
-Played played(const hash::Digest& before, const match::Secret& secret, const match::Ask& ask,
-              match::CommandId id, match::Accepted accepted) {
+/// An accepted command as the entry that it becomes, but for its digest. The last one of a match
+/// reveals the secret.
+record::Entry entry_of(const match::Secret& secret, const match::Ask& ask, match::CommandId id,
+                       match::Outcome outcome) {
   record::Entry entry;
   entry.seq = ask.expected;
   entry.author = ask.author;
   entry.id = id;
   entry.command = ask.command;
-  entry.outcome = std::move(accepted.outcome);
+  entry.outcome = std::move(outcome);
   if (entry.outcome.status.stage == match::Stage::finished) entry.secret = secret;
+  return entry;
+}
+
+Played played(const hash::Digest& before, record::Entry entry, match::Match game) {
   entry.digest = record::digest_of(before, entry);
-  return {std::make_shared<const record::Entry>(std::move(entry)), std::move(accepted.next)};
+  return {std::make_shared<const record::Entry>(std::move(entry)), std::move(game)};
 }
 
 /// A command of the server's; that it is refused would be a mistake of ours.
@@ -35,7 +40,9 @@ Played played_by_server(const match::Match& game, const hash::Digest& before,
   if (const auto* refusal = std::get_if<match::Refusal>(&answer)) {
     throw std::logic_error("a command of the server's was refused: " + refusal->what);
   }
-  return played(before, secret, ask, {}, std::get<match::Accepted>(std::move(answer)));
+  auto& accepted = std::get<match::Accepted>(answer);
+  return played(before, entry_of(secret, ask, {}, std::move(accepted.outcome)),
+                std::move(accepted.next));
 }
 
 void store_entry(Moment& moment, LiveMatch& match, const std::optional<Asker>& asker,
@@ -121,9 +128,13 @@ void act(Moment& moment, const Ask& ask, LiveMatch& match, const lobby::Act& act
   if (const auto* refusal = std::get_if<match::Refusal>(&answer)) {
     return finish(moment, ask.asker, lobby::Refused{Code::command, refusal->code, refusal->what});
   }
-  auto accepted = std::get<match::Accepted>(std::move(answer));
+  auto& accepted = std::get<match::Accepted>(answer);
+  record::Entry entry = entry_of(match.secret, command, act.id, std::move(accepted.outcome));
+  if (const auto fault = record::fault_of(*match.row.header, entry)) {
+    return refuse(moment, ask.asker, Code::bad_request, *fault);
+  }
   store_entry(moment, match, ask.asker,
-              played(match.digest, match.secret, command, act.id, std::move(accepted)));
+              played(match.digest, std::move(entry), std::move(accepted.next)));
 }
 
 void claim(Moment& moment, const Ask& ask, LiveMatch& match) {
