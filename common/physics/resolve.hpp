@@ -136,11 +136,11 @@ class ContactSet {
     } else {
       resolve_components(bodies);
     }
-    for (const Contact<Real>& contact : approaching_) log(bodies, contact, time_s);
+    for (const Contact<Real>& contact : approaching_) append_event(bodies, contact, time_s);
     return true;
   }
 
-  void log(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Real time_s) {
+  void append_event(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Real time_s) {
     ++bodies[c.a].collisions;
     if (c.cushion) {
       events_.push_back(BasicBallCushion<Real>{time_s, pass_, bodies[c.a].id, CushionId(c.b)});
@@ -328,7 +328,7 @@ class ContactSet {
         apply(bodies, contact, contact.normal, contact.cushion ? apart : apart / 2);
       }
       if (pushed || contact.predicted) {
-        log(bodies, contact, time_s);
+        append_event(bodies, contact, time_s);
         any = true;
       }
       contact.predicted = false;
