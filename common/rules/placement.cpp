@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdint>
 #include <limits>
 
 #include "common/physics/table.hpp"
@@ -30,7 +29,11 @@ std::string shown(double value) {
 }
 
 std::string shown_mm(double value_m) {
-  return shown(static_cast<double>(static_cast<std::int64_t>(value_m * 1e5 + 0.5)) / 100) + " mm";
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value_m * 1000,
+                                 std::chars_format::fixed, 2)
+                       .ptr;
+  return std::string(text.data(), end) + " mm";
 }
 
 std::optional<std::string> range_fault(const char* field, double value, double greatest) {
