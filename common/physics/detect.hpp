@@ -144,14 +144,14 @@ Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter) {
     const Real unresolved = unresolved_speed(a.speed + b.speed) * distance;
     if (approach > unresolved) return e.start_s;
     if (straight) return never<Real>;
-    const EntrySearch<Real> search(relative, distance);
+    const EntrySearch<Real> search(relative, diameter, distance);
     const bool level = approach >= -unresolved;
     if (level && search.closes_at_once()) return e.start_s;
     const auto t = search.first(horizon, level);
     return t ? e.start_s + *t : never<Real>;
   }
   if (!straight) {
-    const auto t = EntrySearch<Real>(relative, diameter).first(horizon, false);
+    const auto t = EntrySearch<Real>(relative, diameter, distance).first(horizon, false);
     return t ? e.start_s + *t : never<Real>;
   }
   Real t = linear_entry(e, diameter);
@@ -195,7 +195,9 @@ Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, R
     if (towards > unresolved) return s.start_s;
     if (pull <= 0) return never<Real>;
     if (towards >= -unresolved) return s.start_s;
-    const Real t = -2 * towards / pull;
+    // Back at the line, or where the line was not reached, back at the depth it started from.
+    const Real square = towards * towards + 2 * pull * gap;
+    const Real t = (square > 0 ? sqrt(square) - towards : -2 * towards) / pull;
     return s.start_s + t <= path.end_s && within(t) ? s.start_s + t : never<Real>;
   }
   const Real discriminant = towards * towards + 2 * pull * gap;

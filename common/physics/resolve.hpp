@@ -20,6 +20,11 @@ namespace breakshot::physics {
 /// Passes within one set, beyond which the shot is stalled.
 inline constexpr std::uint32_t max_passes = 10'000;
 
+/// A contact with e < 1 that parts at no more than this share of its elastic_below, and closes
+/// again under its accelerations, is one that rests. With three balls in a row friction eats the
+/// hops of the one in the middle: without a least hop they would become ever smaller and never end.
+inline constexpr double resting_share = 1e-3;
+
 /// Two things that touch: balls `a` < `b`, or ball `a` and nose `b`.
 template <class Real>
 struct Contact {
@@ -314,20 +319,22 @@ class ContactSet {
     velocity = velocity - tangent * lost;
   }
 
-  /// Contacts with e < 1 that touch without approach and would close under their accelerations
-  /// separate at the speed below which such contacts are elastic. And a predicted contact of which
-  /// rounding has left no approach is logged all the same. False if there is neither.
+  /// Contacts with e < 1 that touch, hardly part and would close again under their accelerations
+  /// separate at the speed below which such contacts are elastic: a push becomes a bounded number
+  /// of hops. And a predicted contact of which rounding has left no approach is logged all the
+  /// same. False if there is neither.
   bool push_apart(std::vector<Body<Real>>& bodies, Real time_s) {
     bool any = false;
     for (Contact<Real>& contact : contacts_) {
       const Real speed = approach(bodies, contact, contact.normal);
-      const bool level = magnitude(speed) <= unresolved_;
       const Real apart = bounce_of(contact).elastic_below_m_s;
-      const bool pushed = level && apart > 0 && closes(bodies, contact);
-      if (pushed) {
-        apply(bodies, contact, contact.normal, contact.cushion ? apart : apart / 2);
+      const Real slow = larger(unresolved_, apart * Real(resting_share));
+      const bool rests = magnitude(speed) <= slow && apart > 0 && closes(bodies, contact);
+      if (rests) {
+        const Real change = apart + speed;
+        apply(bodies, contact, contact.normal, contact.cushion ? change : change / 2);
       }
-      if (pushed || contact.predicted) {
+      if (rests || contact.predicted) {
         append_event(bodies, contact, time_s);
         any = true;
       }

@@ -84,13 +84,16 @@ Real bracketed_root(Real low, Real high, Real guess, bool rising, const Value& v
 }
 
 /// Walks the monotone pieces of the squared distance on (0, end] and returns the first root of
-/// |d(t)| = distance with the distance falling.
+/// |d(t)| = distance with the distance falling. Points that start nearer than that by rounding have
+/// entered when they are back at `start` without having been further apart than `distance`: each
+/// contact then starts from its own depth or from none, and rounding does not add up.
 template <class Real>
 class EntrySearch {
  public:
-  EntrySearch(const Relative<Real>& motion, Real distance)
+  EntrySearch(const Relative<Real>& motion, Real distance, Real start)
       : motion_(motion),
         distance_(distance),
+        floor_(start < distance ? start : distance),
         cubic_(dot(motion.acceleration, motion.acceleration) / 2),
         square_(3 * dot(motion.velocity, motion.acceleration) / 2),
         linear_(dot(motion.velocity, motion.velocity) + dot(motion.position, motion.acceleration)) {
@@ -136,19 +139,21 @@ class EntrySearch {
   /// squared distance is nearly a parabola, which gives the guess.
   std::optional<Real> falling(Real from, Real to) const {
     using std::sqrt;
-    const Real below = excess(motion_.at(to), distance_);
+    const Real distance = excess(motion_.at(from), distance_) > 0 ? distance_ : floor_;
+    const Real below = excess(motion_.at(to), distance);
     if (!(below < 0)) return std::nullopt;
     const Real slope = -motion_.closing(to);
     const Real bend = slope_of_closing(to);
     const Real root = slope * slope - bend * below;
     const Real guess = root > 0 ? to + below / (slope + sqrt(root)) : from;
-    return bracketed_root(from, to, guess, false, [this](Real t) {
-      return std::array<Real, 2>{excess(motion_.at(t), distance_), 2 * motion_.closing(t)};
+    return bracketed_root(from, to, guess, false, [this, distance](Real t) {
+      return std::array<Real, 2>{excess(motion_.at(t), distance), 2 * motion_.closing(t)};
     });
   }
 
   Relative<Real> motion_;
   Real distance_;
+  Real floor_;
   // d . v as a polynomial: (d . v)(0) + linear t + square t^2 + cubic t^3.
   Real cubic_;
   Real square_;

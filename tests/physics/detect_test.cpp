@@ -1,0 +1,188 @@
+// When things meet: closed forms, and the last bit where it decides.
+#include "common/physics/detect.hpp"
+
+#include <cmath>
+
+#include "tests/support/scenes.hpp"
+
+namespace breakshot::physics {
+namespace {
+
+using namespace support;
+
+constexpr double radius = 0.028575;
+constexpr double diameter = 2 * radius;
+
+Path<double> path(Vec2 position, Vec2 velocity, const Scene& scene, double start_s = 0) {
+  return Laws<double>(scene).path_from(BallId{0}, start_s, position, velocity);
+}
+
+double meet(const Scene& scene, Vec2 p, Vec2 v, Vec2 q, Vec2 w) {
+  return contact_time(path(p, v, scene), path(q, w, scene), diameter);
+}
+
+double next_up(double x) {
+  return std::nextafter(x, 10.0);
+}
+double next_down(double x) {
+  return std::nextafter(x, -10.0);
+}
+
+TEST(LinearContact, HasItsClosedForm) {
+  EXPECT_NEAR(meet(gas(), {0, 0}, {2, 0}, {1, 0}, {0, 0}), (1 - diameter) / 2, 1e-16);
+  EXPECT_NEAR(meet(gas(), {0, 0}, {2, 0}, {1, 0}, {-1, 0}), (1 - diameter) / 3, 1e-16);
+  const double along = std::sqrt(diameter * diameter - 0.04 * 0.04);
+  EXPECT_NEAR(meet(gas(), {0, 0.04}, {1, 0}, {1, 0}, {0, 0}), 1 - along, 4e-16);
+  EXPECT_EQ(meet(gas(), {0, 0}, {-2, 0}, {1, 0}, {0, 0}), never<double>);
+  EXPECT_EQ(meet(gas(), {0, 0}, {1, 1}, {1, 0}, {1, 1}), never<double>);
+}
+
+TEST(LinearContact, GrazesToOneUlp) {
+  // Exactly a diameter beside the path is a tie, and a tie is a miss.
+  for (const double x : {0.1, 0.5, 3.0, 1000.0}) {
+    EXPECT_EQ(meet(gas(), {0, 0}, {1, 0}, {x, diameter}, {0, 0}), never<double>) << x;
+    EXPECT_EQ(meet(gas(), {0, 0}, {1, 0}, {x, next_up(diameter)}, {0, 0}), never<double>) << x;
+    EXPECT_NEAR(meet(gas(), {0, 0}, {1, 0}, {x, next_down(diameter)}, {0, 0}), x, 1e-8) << x;
+  }
+}
+
+TEST(LinearContact, GrazesToOneUlpOnSlantedPaths) {
+  // A 3-4-5 direction: the foot of the perpendicular is exact, so only the last bit decides.
+  const Vec2 direction{0.6, 0.8};
+  const Vec2 beside = perp(direction) * diameter;
+  const long double tie = static_cast<long double>(direction.x) * beside.y -
+                          static_cast<long double>(direction.y) * beside.x;
+  const long double reach = static_cast<long double>(diameter) *
+                            std::sqrt(static_cast<long double>(dot(direction, direction)));
+  const bool hits = tie < reach;
+  EXPECT_EQ(meet(gas(), {-0.6, -0.8}, direction, beside, {0, 0}) < never<double>, hits);
+}
+
+TEST(LinearContact, WorksAtTheSlowestAndTheFastestSpeeds) {
+  EXPECT_NEAR(meet(gas(), {0, 0}, {1e-300, 0}, {1, 0}, {0, 0}) * 1e-300, 1 - diameter, 1e-15);
+  EXPECT_EQ(meet(gas(), {0, 0}, {5e-324, 0}, {1, 0}, {0, 0}), never<double>);
+  EXPECT_NEAR(meet(gas(), {0, 0}, {1e-200, 1e-201}, {1, 0.1}, {0, 0}) * 1e-200,
+              1 - diameter / std::sqrt(1.01), 1e-15);
+  EXPECT_NEAR(meet(gas(), {0, 0}, {1e4, 0}, {1, 0}, {0, 0}), (1 - diameter) / 1e4, 1e-20);
+}
+
+TEST(DeceleratingContact, WithABallAtRestHasItsClosedForm) {
+  const double a = 0.2 * 9.81;
+  const double gap = 1 - diameter;
+  const double t = (3 - std::sqrt(9 - 2 * a * gap)) / a;
+  EXPECT_NEAR(meet(cloth(), {0, 0}, {3, 0}, {1, 0}, {0, 0}), t, 1e-15);
+  EXPECT_NEAR(meet(cloth(), {1, 0}, {0, 0}, {0, 0}, {3, 0}), t, 1e-15);
+}
+
+TEST(DeceleratingContact, StopsShortByOneUnitOfTheGap) {
+  // A roll of speed v covers v^2 / 2a. The gap is set to that, and 1e-14 m either side of it.
+  const double v = 0.9;
+  const double reach = v * v / (2 * 0.01 * 9.81);
+  for (const double short_by : {1e-14, 3e-15}) {
+    const Vec2 far{diameter + reach + short_by, 0};
+    const Vec2 near{diameter + reach - short_by, 0};
+    EXPECT_EQ(meet(cloth(), {0, 0}, {v, 0}, far, {0, 0}), never<double>) << short_by;
+    EXPECT_LT(meet(cloth(), {0, 0}, {v, 0}, near, {0, 0}), never<double>) << short_by;
+  }
+}
+
+TEST(QuarticContact, AgreesWithTheEquationInLongDouble) {
+  Chance chance(3);
+  int hits = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec2 p{chance.between(-1, 1), chance.between(-0.5, 0.5)};
+    const Vec2 q{chance.between(-1, 1), chance.between(-0.5, 0.5)};
+    if (length(q - p) < 1.01 * diameter) continue;
+    const Vec2 v{chance.between(-4, 4), chance.between(-4, 4)};
+    const Vec2 towards = (p - q) * chance.between(0.5, 6);
+    const Vec2 w{towards.x + chance.between(-1, 1), towards.y + chance.between(-1, 1)};
+    const Path<double> a = path(p, v, cloth());
+    const Path<double> b = path(q, w, cloth());
+    const double t = contact_time(a, b, diameter);
+    const auto gap = [&](long double time) {
+      const auto at = [time](const Segment& s, double Vec2::*c) {
+        return s.position.*c + (s.velocity.*c + s.acceleration.*c * (time / 2)) * time;
+      };
+      const long double dx = at(b.segment, &Vec2::x) - at(a.segment, &Vec2::x);
+      const long double dy = at(b.segment, &Vec2::y) - at(a.segment, &Vec2::y);
+      return std::sqrt(dx * dx + dy * dy) - static_cast<long double>(diameter);
+    };
+    const double end = std::min({a.end_s, b.end_s, 60.0});
+    // Scan for an earlier entry than the one found.
+    const double last = std::min(t, end);
+    for (int k = 1; k < 200; ++k) {
+      ASSERT_GT(gap(last * k / 200.0L), t < never<double> ? -1e-15L : 0.0L) << "case " << i;
+    }
+    if (t == never<double>) continue;
+    ++hits;
+    ASSERT_LE(t, end);
+    ASSERT_NEAR(static_cast<double>(gap(t)), 0, 4e-15) << "case " << i;
+  }
+  EXPECT_GT(hits, 1000);
+}
+
+TEST(Touching, ApproachingIsAtOnceAndSeparatingIsNever) {
+  EXPECT_EQ(meet(gas(), {0, 0}, {1, 0}, {diameter, 0}, {0, 0}), 0);
+  EXPECT_EQ(meet(gas(), {0, 0}, {-1, 0}, {diameter, 0}, {0, 0}), never<double>);
+  EXPECT_EQ(meet(gas(), {0, 0}, {0, 1}, {diameter, 0}, {0, 0}), never<double>);
+  const double overlapping = diameter * (1 - 1e-15);
+  EXPECT_EQ(meet(gas(), {0, 0}, {1, 0}, {overlapping, 0}, {0, 0}), 0);
+  EXPECT_EQ(meet(gas(), {0, 0}, {-1, 0}, {overlapping, 0}, {0, 0}), never<double>);
+}
+
+TEST(Touching, SeparatedBallsMeetAgainWhenTheGapHasOpenedAndClosed) {
+  // The front ball leaves faster but slides; the one behind rolls and catches up before it stops.
+  Scene scene = cloth();
+  scene.bed.motion = Straight{0.2, 0.01, 1.0};
+  const Path<double> behind = path({0, 0}, {0.999, 0}, scene);
+  const Path<double> front = path({diameter, 0}, {1.2, 0}, scene);
+  const double t = contact_time(behind, front, diameter);
+  // Both squared distances are equal when 0.201 t = (0.2 - 0.01) g t^2 / 2.
+  const double closed_form = 2 * 0.201 / (0.19 * 9.81);
+  if (closed_form <= front.end_s) {
+    EXPECT_NEAR(t, closed_form, 1e-12);
+  } else {
+    EXPECT_EQ(t, never<double>);
+  }
+}
+
+TEST(CushionContact, MeetsTheLineARadiusInward) {
+  const Scene scene = table(Frictionless{}, Mirror{}, Elastic{});
+  const Laws<double> laws(scene);
+  const Path<double> ball = path({0, 0}, {2, 0}, scene);
+  EXPECT_NEAR(cushion_time(ball, laws.noses[0], radius, 2.0), (1.1684 - radius) / 2, 1e-15);
+  EXPECT_EQ(cushion_time(ball, laws.noses[1], radius, 2.0), never<double>);
+  EXPECT_EQ(cushion_time(ball, laws.noses[2], radius, 2.0), never<double>);
+}
+
+TEST(CushionContact, OfADeceleratingBallHasItsClosedForm) {
+  const Scene scene = table(Straight{0.2, 0.01, 0}, Mirror{}, Elastic{});
+  const Laws<double> laws(scene);
+  const double a = 0.2 * 9.81;
+  const double gap = 0.5842 - radius;
+  const Path<double> ball = path({0, 0}, {0, 3}, scene);
+  EXPECT_NEAR(cushion_time(ball, laws.noses[1], radius, 3.0), (3 - std::sqrt(9 - 2 * a * gap)) / a,
+              1e-15);
+  const double just_short = std::sqrt(2 * a * gap) * (1 - 1e-14);
+  EXPECT_EQ(cushion_time(path({0, 0}, {0, just_short}, scene), laws.noses[1], radius, 3.0),
+            never<double>);
+}
+
+TEST(CushionContact, EndsWithTheExtentOfTheCushion) {
+  Scene scene = gas();
+  scene.cushions = FreeCushions{{{{0, 1}, {-1, 1}, Mirror{}}}};
+  const Laws<double> laws(scene);
+  const auto time = [&](double x) {
+    return cushion_time(path({x, 0}, {0, 1}, scene), laws.noses[0], radius, 1.0);
+  };
+  EXPECT_EQ(time(1e-9), never<double>);
+  EXPECT_NEAR(time(0), 1 - radius, 1e-15);
+  EXPECT_NEAR(time(-1), 1 - radius, 1e-15);
+  EXPECT_EQ(time(-1 - 1e-9), never<double>);
+  // From behind, the cushion is not there.
+  EXPECT_EQ(cushion_time(path({-0.5, 2}, {0, -1}, scene), laws.noses[0], radius, 1.0),
+            never<double>);
+}
+
+}  // namespace
+}  // namespace breakshot::physics
