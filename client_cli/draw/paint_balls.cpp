@@ -91,7 +91,8 @@ void paint_arrow(Canvas& canvas, Vec2 ball, double radius_m, Vec2 along, double 
     canvas.stroke(palette::ink, 0.9 * width_m, 0.4);
   }
   canvas.polyline({from, canvas.full() ? neck : tip});
-  canvas.stroke(colour, width_m);
+  // A line of one pixel that falls between two would be seen at half its strength.
+  canvas.stroke(colour, canvas.full() ? width_m : std::max(width_m, 1.7 * canvas.pixel_m()));
   if (!canvas.full()) return;
   canvas.polygon(triangle);
   canvas.fill(colour);
