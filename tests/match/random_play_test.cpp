@@ -11,7 +11,6 @@
 namespace breakshot::match {
 namespace {
 
-using rules::Group;
 using support::eight_ball_settings;
 using support::practice_settings;
 using support::RandomAsks;

@@ -35,6 +35,7 @@ TEST(Settings, SeatsAndRaceHaveRanges) {
   settings = practice_settings(0);
   settings.race_to = 2;
   EXPECT_EQ(faults(settings), "seats is 0; it must be from 1 to 8\nrace_to is 2; it must be 1\n");
+  EXPECT_EQ(faults(practice_settings(9)), "seats is 9; it must be from 1 to 8\n");
   settings = eight_ball_settings(101);
   EXPECT_EQ(faults(settings), "race_to is 101; it must be from 1 to 100\n");
 }
