@@ -73,7 +73,7 @@ TEST(Match, TheServerNeverPlays) {
   }
 }
 
-TEST(Match, OnlyThePlayerAtTheTablePlacesAndShoots) {
+TEST(Rule6_13, OnlyThePlayerAtTheTablePlacesAndShoots) {
   const Match match = started(eight_ball_settings());
   EXPECT_EQ(refusal(match, seat(1), hard_break),
             (Refusal{RefusalCode::not_your_turn, "it is the turn of seat 0"}));

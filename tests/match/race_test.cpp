@@ -64,7 +64,7 @@ TEST(Race, TheLastRackWinsTheMatch) {
   EXPECT_EQ(won.status.rack, 1u);
 }
 
-TEST(Race, TheBreakAlternatesFromRackToRack) {
+TEST(Rule3_1, TheBreakAlternatesFromRackToRack) {
   Match match = at_the_winning_shot(3);
   match = after(match, seat(0), winning_shot);
   EXPECT_EQ(match.status.stage, Stage::running);
@@ -96,7 +96,7 @@ TEST(Race, AFinishedMatchTakesNoMoreCommands) {
 
 // ---- Ends by other means
 
-TEST(Concede, LosesTheMatchInAnybodysTurn) {
+TEST(Rule1_11, ConcedingLosesTheMatchInAnybodysTurn) {
   for (const std::uint8_t loser : {std::uint8_t{0}, std::uint8_t{1}}) {
     const Match match = after(started(eight_ball_settings(5)), seat(loser), Concede{});
     EXPECT_EQ(match.status.stage, Stage::finished);
