@@ -125,6 +125,13 @@ TEST(Translate, FitsTheLongestHelloIntoTheSmallestFrame) {
   EXPECT_LE(frame.size() - frame_header_bytes, max_hello_frame);
 }
 
+TEST(Translate, SaysHelloAsTheProtocolDescribesIt) {
+  const lobby::Asked asked{lobby::RequestId{1}, lobby::Hello{1, "Ada", std::nullopt}};
+  const ByteVector documented = {0x00, 0x00, 0x00, 0x0b, 0x08, 0x01, 0x12, 0x07,
+                                 0x08, 0x01, 0x12, 0x03, 0x41, 0x64, 0x61};
+  EXPECT_EQ(frame_of(asked), documented) << "as in docs/protocol.md";
+}
+
 TEST(Translate, ReadsACodeAsItWasMeant) {
   const lobby::Join join{std::nullopt, "o123456789", {}};
   const ByteVector frame = frame_of(lobby::Asked{lobby::RequestId{1}, join});
