@@ -14,6 +14,16 @@ Writer written(const T& value) {
 }
 
 template <class T>
+std::variant<T, Damage> read(hash::Bytes bytes) {
+  Reader reader(bytes);
+  T value;
+  describe(reader, value);
+  reader.end();
+  if (reader.failed()) return *reader.damage();
+  return value;
+}
+
+template <class T>
 std::optional<std::string> encoding_fault(const T& value) {
   const Writer writer = written(value);
   if (!writer.failed()) return std::nullopt;
@@ -41,13 +51,16 @@ ByteVector encode(const Entry& entry) {
   return std::move(writer).taken("the entry");
 }
 
+ByteVector encode(const match::Settings& settings) {
+  return written(settings).taken("the settings");
+}
+
 std::variant<Header, Damage> decode_header(hash::Bytes bytes) {
-  Reader reader(bytes);
-  Header header;
-  describe(reader, header);
-  reader.end();
-  if (reader.failed()) return *reader.damage();
-  return header;
+  return read<Header>(bytes);
+}
+
+std::variant<match::Settings, Damage> decode_settings(hash::Bytes bytes) {
+  return read<match::Settings>(bytes);
 }
 
 std::variant<Entry, Damage> decode_entry(hash::Bytes bytes) {

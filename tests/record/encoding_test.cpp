@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -48,6 +49,12 @@ TEST(Encoding, GivesBackEveryHeader) {
     EXPECT_EQ(std::get<Header>(decoded), header);
     EXPECT_EQ(encode(std::get<Header>(decoded)), bytes);
     EXPECT_EQ(digest_of(header), hash::sha256(bytes));
+    const ByteVector settings = encode(header.settings);
+    EXPECT_EQ(decode_settings(settings), (std::variant<match::Settings, Damage>(header.settings)));
+    EXPECT_EQ(
+        std::search(bytes.begin(), bytes.end(), settings.begin(), settings.end()) - bytes.begin(),
+        24)
+        << "as they stand in the header";
   }
   EXPECT_EQ(coverage.motions.size(), std::variant_size_v<physics::Motion>);
   EXPECT_EQ(coverage.cushions.size(), std::variant_size_v<physics::Cushions>);
