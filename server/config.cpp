@@ -22,7 +22,8 @@ std::string address_fault(const std::string& text) {
 void add_options(CLI::App& app, Config& config, std::int64_t& claim_after_s) {
   shell::Settings& shell = config.shell;
   app.set_version_flag("--version", shell.version);
-  app.set_config("--config", "", "Read options from this file, a line each: port = 7665");
+  app.set_config("--config", "", "Read options from this file, a line each: port = 7665")
+      ->type_name("FILE");
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.add_option("--bind", shell.address, "Listen at this address; 0.0.0.0 or :: for everyone")
       ->type_name("ADDRESS")
