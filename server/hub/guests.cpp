@@ -114,6 +114,7 @@ void guest_failed(Moment& moment, const StoringGuest& storing) {
 }
 
 void guest_loaded(Moment& moment, const LoadingGuest& loading, const ledger::FoundGuest& found) {
+  if (!open_connection(moment.state, loading.asker.connection)) return;
   if (!found.guest) {
     return refuse_greeting(moment, loading.asker, lobby::RefusalCode::unknown_token,
                            "no guest has this token");

@@ -73,23 +73,24 @@ void answer_with(Moment& moment, const Asker& asker, match::Seat seat, const lob
                             std::to_string(static_cast<std::uint32_t>(act.expected))});
 }
 
-bool has_left(const match::Match& game, std::size_t seat) {
-  const auto* practice = std::get_if<rules::Practice>(&game.game);
-  return practice && practice->left[seat];
+std::vector<match::Seat> seats_in(const LiveMatch& match) {
+  std::vector<match::Seat> seats;
+  for (std::uint8_t seat = 0; seat < match.row.seats.size(); ++seat) {
+    seats.push_back(match::Seat{seat});
+  }
+  return seats;
 }
 
 /// The seat, other than `besides`, whose player has been away for the longest time.
 std::optional<match::Seat> longest_away(const LiveMatch& match,
                                         const std::optional<match::Seat>& besides) {
-  std::optional<std::size_t> longest;
-  for (std::size_t seat = 0; seat < match.away_since.size(); ++seat) {
-    const auto& since = match.away_since[seat];
-    if (!since || has_left(*match.game, seat)) continue;
-    if (besides && rules::number(*besides) == seat) continue;
-    if (!longest || *since < *match.away_since[*longest]) longest = seat;
+  std::optional<match::Seat> longest;
+  for (const match::Seat seat : seats_in(match)) {
+    const auto& since = match.away_since[rules::number(seat)];
+    if (!since || seat == besides || has_left(match, seat)) continue;
+    if (!longest || *since < *match.away_since[rules::number(*longest)]) longest = seat;
   }
-  if (!longest) return std::nullopt;
-  return match::Seat{static_cast<std::uint8_t>(*longest)};
+  return longest;
 }
 
 Milliseconds away_for(const Moment& moment, const LiveMatch& match, match::Seat seat) {
@@ -97,6 +98,11 @@ Milliseconds away_for(const Moment& moment, const LiveMatch& match, match::Seat 
 }
 
 }  // namespace
+
+bool has_left(const LiveMatch& match, match::Seat seat) {
+  const auto* practice = match.game ? std::get_if<rules::Practice>(&match.game->game) : nullptr;
+  return practice && practice->left[rules::number(seat)];
+}
 
 Played start_of(const match::Settings& settings, const physics::Seed& seed,
                 const hash::Digest& header, const match::Secret& secret) {
@@ -160,9 +166,9 @@ void claim(Moment& moment, const Ask& ask, LiveMatch& match) {
 
 void abandon_if_deserted(Moment& moment, LiveMatch& match) {
   const Milliseconds needed = moment.state.limits.deserted_ends;
-  for (std::size_t seat = 0; seat < match.away_since.size(); ++seat) {
-    if (has_left(*match.game, seat)) continue;
-    const auto& since = match.away_since[seat];
+  for (const match::Seat seat : seats_in(match)) {
+    if (has_left(match, seat)) continue;
+    const auto& since = match.away_since[rules::number(seat)];
     if (!since || moment.now.steady - *since < needed) return;
   }
   if (const auto seat = longest_away(match, std::nullopt)) {

@@ -20,6 +20,9 @@ void claim(Moment& moment, const Ask& ask, LiveMatch& match);
 /// Ends a match at which nobody has been present for long enough; nothing otherwise.
 void abandon_if_deserted(Moment& moment, LiveMatch& match);
 
+/// Whether a seat has left a practice that others go on with.
+bool has_left(const LiveMatch& match, match::Seat seat);
+
 /// Whether the match is finished by it. The caller then removes it.
 bool entry_stored(Moment& moment, LiveMatch& match, StoringEntry storing);
 void entry_failed(Moment& moment, const StoringEntry& storing);

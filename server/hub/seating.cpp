@@ -44,7 +44,8 @@ lobby::InviteCode code_from(const Entropy& entropy) {
 /// Matches open or running at which the guest sits or is about to.
 std::size_t matches_of(const State& state, const ledger::GuestId& guest) {
   auto count = std::count_if(state.matches.begin(), state.matches.end(), [&](const auto& match) {
-    return seat_of(match.second.row.seats, guest).has_value();
+    const auto seat = seat_of(match.second.row.seats, guest);
+    return seat && !has_left(match.second, *seat);
   });
   for (const auto& [ticket, storing] : state.storing) {
     const auto* created = std::get_if<StoringMatch>(&storing);
