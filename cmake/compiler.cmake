@@ -2,8 +2,9 @@
 
 # The determinism contract, for the whole project: the same bits need the same rounding in every
 # build type and from every compiler, so no product and sum may be contracted into one rounding.
-# Neither -ffast-math nor -march=native may ever stand here.
-add_compile_options(-ffp-contract=off)
+# (That sqrt sets no errno and that no exception is trapped changes no bit: it lets sqrt be an
+# instruction and comparisons be selections.) Neither -ffast-math nor -march=native may ever stand here.
+add_compile_options(-ffp-contract=off -fno-math-errno -fno-trapping-math)
 
 # ccache is used where it is installed and missed nowhere. Paths below the source tree count as relative
 # ones, so that a second clone or worktree finds what the first has compiled; and a precompiled header

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/physics/body.hpp"
-#include "common/physics/detect.hpp"
+#include "common/physics/pair_detector.hpp"
 
 namespace breakshot::physics {
 
@@ -28,7 +27,7 @@ class TableCalendar {
   TableCalendar(const Laws<Real>& laws, Real top_speed, std::size_t balls)
       : laws_(laws),
         top_speed_(top_speed),
-        reach_square_(laws.diameter * Real(margin) * (laws.diameter * Real(margin))),
+        pairs_(laws.diameter),
         paths_(balls),
         next_(balls),
         own_(balls),
@@ -90,56 +89,30 @@ class TableCalendar {
   }
 
   void meet_all(const std::vector<Body<Real>>& bodies, std::size_t i, Real now_s) {
-    const Body<Real>& body = bodies[i];
+    const Body<Real> body = bodies[i];
     if (!body.present) return;
-    for (std::size_t j = 0; j < bodies.size(); ++j) {
+    const std::size_t balls = bodies.size();
+    for (std::size_t j = 0; j < balls; ++j) {
       const Body<Real>& other = bodies[j];
       if ((body.rests && other.rests) || fresh_[j] == Freshness::met || j == i) continue;
       const Real until = next_[i].time_s < next_[j].time_s ? next_[i].time_s : next_[j].time_s;
-      if (stay_apart(body, other, until - now_s) || !other.present) continue;
-      const Real t = contact_time(paths_[std::min(i, j)], paths_[std::max(i, j)], laws_.diameter);
-      if (t < next_[i].time_s) next_[i] = {t, Due::ball, static_cast<std::uint32_t>(j)};
-      if (t < next_[j].time_s) next_[j] = {t, Due::ball, static_cast<std::uint32_t>(i)};
+      if (pairs_.stay_apart(body, other, until - now_s) || !other.present) continue;
+      meet(i, j);
     }
     fresh_[i] = Freshness::met;
   }
 
-  /// Whether two balls certainly do not come to meet within `span` seconds: two axes that may
-  /// separate them, the line of centres and the normal of their relative velocity. Balls that touch
-  /// are never apart on either. A margin covers rounding, so that what is decided here never
-  /// differs from what contact_time would say.
-  bool stay_apart(const Body<Real>& a, const Body<Real>& b, Real span) const {
-    const BasicVec2<Real> d = b.position - a.position;
-    const BasicVec2<Real> w = b.velocity - a.velocity;
-    const Real closing = dot(d, w);
-    const Real miss = magnitude(cross(d, w));
-    const Real passing = reach_square_ * dot(w, w);
-    if (a.rests || b.rests) {  // a deceleration towards rest only keeps balls apart
-      return closing >= 0 || miss * miss > passing || beyond_reach(d, closing * span);
-    }
-    const BasicVec2<Real> bend = (b.acceleration - a.acceleration) * (span * span / 2);
-    const Real sag = dot(d, bend);
-    const Real drop = (closing < 0 ? closing * span : Real(0)) + (sag < 0 ? sag : Real(0));
-    if (beyond_reach(d, drop)) return true;
-    const Real nearest = miss - magnitude(cross(bend, w));
-    return nearest > 0 && nearest * nearest > passing;
+  void meet(std::size_t i, std::size_t j) {
+    const Real t = pairs_.time(paths_[std::min(i, j)], paths_[std::max(i, j)]);
+    if (t < next_[i].time_s) next_[i] = {t, Due::ball, static_cast<std::uint32_t>(j)};
+    if (t < next_[j].time_s) next_[j] = {t, Due::ball, static_cast<std::uint32_t>(i)};
   }
-
-  /// |d|^2 + drop > reach |d|.
-  bool beyond_reach(BasicVec2<Real> d, Real drop) const {
-    const Real square = dot(d, d);
-    const Real left = square + drop;
-    return left > 0 && left * left > reach_square_ * square;
-  }
-
-  /// Far above rounding, far below anything that matters for speed.
-  static constexpr double margin = 1 + 1e-6;
 
   enum class Freshness : std::uint8_t { known, changed, met };
 
   const Laws<Real>& laws_;
   Real top_speed_;
-  Real reach_square_;
+  PairDetector<Real> pairs_;
   std::vector<Path<Real>> paths_;
   std::vector<Appointment<Real>> next_;
   std::vector<Appointment<Real>> own_;
