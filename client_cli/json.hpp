@@ -13,6 +13,7 @@ namespace breakshot::client {
 /// One JSON value, written out on one line without spaces.
 class Json {
  public:
+  // NOLINTBEGIN(google-explicit-constructor): values stand where JSON is expected.
   Json() : text_("null") {}
   Json(bool value) : text_(value ? "true" : "false") {}
   template <std::integral Integer>
@@ -25,6 +26,7 @@ class Json {
   Json(const char* value) : Json(std::string_view(value)) {}
   template <class Value>
   Json(const std::optional<Value>& value) : Json(value ? Json(*value) : Json()) {}
+  // NOLINTEND(google-explicit-constructor)
 
   const std::string& text() const { return text_; }
 
