@@ -15,6 +15,7 @@ void take(MatchView& view, const EntryPtr& entry) {
   view.last = entry;
   view.next = match::Seq{static_cast<std::uint32_t>(entry->seq) + 1};
   if (!entry->outcome.shot) return;
+  ++view.shots;
   const bool pocketed = entry->outcome.ruling && !entry->outcome.ruling->pocketed.empty();
   view.shots_dry = pocketed ? 0 : view.shots_dry + 1;
 }

@@ -17,10 +17,11 @@ struct MatchView {
   lobby::MatchInfo info;
   std::optional<match::Seat> you;
   std::optional<record::Header> header;
-  EntryPtr last;           ///< the newest entry
-  match::Seq next{};       ///< the number of the entry after it
-  std::string gone;        ///< why the match is no more, if it never started; else empty
-  unsigned shots_dry = 0;  ///< shots since the last one that pocketed a ball
+  EntryPtr last;            ///< the newest entry
+  match::Seq next{};        ///< the number of the entry after it
+  std::string gone;         ///< why the match is no more, if it never started; else empty
+  std::uint32_t shots = 0;  ///< taken so far
+  unsigned shots_dry = 0;   ///< shots since the last one that pocketed a ball
 };
 
 /// What the answer to Create, Join or Watch shows.
