@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "common/physics/detect.hpp"
+#include "common/physics/resolve.hpp"
 #include "common/physics/timeline.hpp"
 
 namespace breakshot::physics {
@@ -59,8 +59,8 @@ class Auditor {
     return scene_.ball.mass_kg / 2 * sum;
   }
 
-  /// What weak contacts may add at this instant: one allowance for each contact that did not
-  /// approach before it, and for each later pass, whose approaches the record does not hold.
+  /// What resting contacts may add at this instant: one allowance for each contact that hardly
+  /// approached before it, and for each later pass, whose approaches the record does not hold.
   double allowed(double time_s, const std::vector<Segment>& before) {
     double sum = 0;
     for (; event_ < shot_.events.size() && time_of(shot_.events[event_]) == time_s; ++event_) {
@@ -71,9 +71,8 @@ class Auditor {
       const Vec2 between = position_at(b, time_s) - position_at(a, time_s);
       const Vec2 velocity = velocity_at(b, time_s) - velocity_at(a, time_s);
       const double approach = -dot(between, velocity) / length(between);
-      const double speeds = length(velocity_at(a, time_s)) + length(velocity_at(b, time_s));
-      if (contact->pass == 0 && approach > 2 * unresolved_speed(speeds)) continue;
       const double apart = laws_.ball_ball->elastic_below_m_s;
+      if (contact->pass == 0 && approach > resting_share * apart) continue;
       sum += scene_.ball.mass_kg * apart * apart / 4;
     }
     return sum;

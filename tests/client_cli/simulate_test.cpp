@@ -1,0 +1,100 @@
+// `breakshot simulate` from outside.
+#include <string>
+#include <vector>
+
+#include "tests/support/replace.hpp"
+#include "tests/support/scratch.hpp"
+#include "tests/support/subprocess.hpp"
+
+namespace breakshot {
+namespace {
+
+const std::string scenario = R"({
+  "scene": {"gravity": 9.81,
+    "bed": {"motion": {"straight": {"slidingFriction": 0.2, "rollingFriction": 0.01, "rollingBelow": 1}}},
+    "ballBall": {"elastic": {}}},
+  "balls": [{"id": 4, "position": {"x": 1, "y": 0}}, {"id": 0, "position": {"x": 0, "y": 0}}],
+  "strike": {"ball": 0, "direction": {"x": 1, "y": 0}, "speed": 2}
+})";
+
+support::Finished simulate(const std::string& text, std::vector<std::string> options = {}) {
+  const support::Scratch scratch;
+  const std::string file = scratch.file("scenario.json", text);
+  std::vector<std::string> words = {BREAKSHOT_PROGRAM, "simulate", file};
+  words.insert(words.end(), options.begin(), options.end());
+  return support::run(words);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = text.find('\n', start);
+    lines.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return lines;
+}
+
+TEST(Simulate, PrintsEventsAndTheFinalStateInAFixedForm) {
+  const auto ran = simulate(scenario);
+  EXPECT_EQ(ran.status, 0);
+  EXPECT_EQ(ran.err, "");
+  const auto lines = lines_of(ran.out);
+  ASSERT_EQ(lines.size(), 5u) << ran.out;
+  EXPECT_EQ(lines[0],
+            "{\"t\":0,\"kind\":\"strike\",\"balls\":[0],\"states\":[{\"id\":0,\"phase\":\"slide\","
+            "\"p\":[0,0],\"v\":[2,0],\"w\":[0,0,0]}]}");
+  EXPECT_NE(lines[1].find("\"kind\":\"rolls\",\"balls\":[0]"), std::string::npos);
+  EXPECT_NE(lines[2].find("\"kind\":\"ball_ball\",\"balls\":[0,4]"), std::string::npos);
+  EXPECT_NE(lines[3].find("\"kind\":\"rests\",\"balls\":[4]"), std::string::npos);
+  EXPECT_EQ(lines[4].rfind("{\"final\":[{\"id\":0,\"phase\":\"rest\"", 0), 0u);
+  EXPECT_NE(lines[4].find(",\"pocketed\":[],\"events\":4,\"seconds\":"), std::string::npos);
+  EXPECT_NE(lines[4].find("\"stopped\":\"rest\",\"digest\":\""), std::string::npos);
+}
+
+TEST(Simulate, SlicesChangeNoByte) {
+  EXPECT_EQ(simulate(scenario, {"--slices", "0.1,0.2,0.2,1e-18,5"}).out, simulate(scenario).out);
+}
+
+TEST(Simulate, UntilEndsAtThatTime) {
+  const auto lines = lines_of(simulate(scenario, {"--until", "0.25"}).out);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_NE(lines[1].find("\"seconds\":0.25,\"stopped\":\"until\""), std::string::npos);
+}
+
+TEST(Simulate, AuditAddsItsKeysAtTheEnd) {
+  const auto ran = simulate(scenario, {"--audit"});
+  EXPECT_NE(ran.out.find("\"energyStart\":0.311844,\"energyEnd\":0,\"worstRise\":"),
+            std::string::npos);
+  EXPECT_NE(ran.out.find("\"worstPenetration\":"), std::string::npos);
+}
+
+TEST(Simulate, NamesTheFieldOfBadInputAndPrintsNothingElse) {
+  const auto ran = simulate(support::replaced(scenario, "9.81", "-1"));
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(ran.err.rfind("breakshot: ", 0), 0u);
+  EXPECT_NE(ran.err.find("scenario.json: scene.gravity: "), std::string::npos) << ran.err;
+}
+
+TEST(Simulate, RefusesMethodsAndScalarsThatThisBuildDoesNotKnow) {
+  for (const auto& options : std::vector<std::vector<std::string>>{
+           {"--method", "fixed"}, {"--scalar", "float"}, {"--dt", "0.1"}, {"--until", "-1"}}) {
+    const auto ran = simulate(scenario, options);
+    EXPECT_EQ(ran.status, 2) << options[0];
+    EXPECT_EQ(ran.out, "");
+  }
+  EXPECT_EQ(support::run({BREAKSHOT_PROGRAM, "simulate", "/no/such/file"}).status, 2);
+}
+
+TEST(Simulate, ExitsWithThreeWhenTheShotStalls) {
+  const auto ran =
+      simulate(support::replaced(scenario, "\"strike\"", "\"maxEvents\": 2, \"strike\""));
+  EXPECT_EQ(ran.status, 3);
+  const auto lines = lines_of(ran.out);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_NE(lines[2].find("\"stopped\":\"stalled\",\"stalled\":["), std::string::npos);
+}
+
+}  // namespace
+}  // namespace breakshot

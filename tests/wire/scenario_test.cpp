@@ -1,0 +1,127 @@
+// Scenario files: every fault is named with the path of its field.
+#include "common/wire/scenario.hpp"
+
+#include <string>
+
+#include "tests/support/replace.hpp"
+
+namespace breakshot::wire {
+namespace {
+
+const std::string good = R"({
+  "scene": {
+    "gravity": 9.81,
+    "ball": {"radius": 0.028575, "mass": 0.155922},
+    "bed": {"length": 2.3368, "width": 1.1684, "motion": {"straight":
+        {"slidingFriction": 0.2, "rollingFriction": 0.01, "rollingBelow": 1.0}}},
+    "cushions": {"rectangle": {"model": {"mirror": {}}}},
+    "pockets": {"standard": {}},
+    "ballBall": {"restitution": {"normal": 0.95}},
+    "perturbation": {"ball": 0.001}
+  },
+  "balls": [{"id": 0, "position": {"x": -0.5842, "y": 0}},
+            {"id": 7, "position": {"x": 0.5842, "y": 0}, "velocity": {"x": 0.1, "y": 0}}],
+  "strike": {"ball": 0, "angle": 0.5, "speed": 3.0},
+  "seed": "00112233445566778899aabbccddeeff",
+  "horizon": 60
+})";
+
+/// The field of the first fault, with what is wrong; empty for a good text.
+std::string fault_of(const std::string& text) {
+  const auto reading = read_scenario(text);
+  if (std::holds_alternative<Scenario>(reading)) return "";
+  const auto& fault = std::get<std::vector<physics::Fault>>(reading).at(0);
+  return fault.field + ": " + fault.what;
+}
+
+std::string fault_after(const std::string& from, const std::string& to) {
+  return fault_of(support::replaced(good, from, to));
+}
+
+void expect_fault(const std::string& from, const std::string& to, const std::string& field) {
+  const std::string fault = fault_after(from, to);
+  EXPECT_EQ(fault.rfind(field + ": ", 0), 0u) << to << " gives: " << fault;
+}
+
+TEST(Scenario, ReadsWhatItSays) {
+  const auto reading = read_scenario(good);
+  const auto* scenario = std::get_if<Scenario>(&reading);
+  ASSERT_NE(scenario, nullptr) << fault_of(good);
+  EXPECT_EQ(std::get<physics::Straight>(scenario->scene.bed.motion).sliding_friction, 0.2);
+  EXPECT_EQ(std::get<physics::BallRestitution>(*scenario->scene.ball_ball).elastic_below_m_s, 1e-3);
+  EXPECT_EQ(scenario->scene.pockets->side_mouth_m, 0.1285875);
+  EXPECT_EQ(scenario->scene.perturbation->cushion, 0);
+  ASSERT_EQ(scenario->state.balls.size(), 2u);
+  EXPECT_EQ(scenario->state.balls[1].velocity, (physics::Vec2{0.1, 0}));
+  EXPECT_NEAR(scenario->strike->direction.y, 0.479425538604203, 1e-16);
+  EXPECT_EQ(scenario->seed.seed[1], 0x11);
+  EXPECT_EQ(scenario->limits.horizon_s, 60);
+  EXPECT_EQ(scenario->limits.max_events, 1'000'000u);
+}
+
+TEST(Scenario, NamesFieldsThatDoNotExist) {
+  expect_fault("\"gravity\"", "\"gravitas\"", "scene.gravitas");
+  expect_fault("\"straight\"", "\"spinning\"", "scene.bed.motion.spinning");
+  expect_fault("\"mirror\"", "\"han2005\"", "scene.cushions.rectangle.model.han2005");
+  expect_fault("\"x\": 0.1", "\"z\": 0.1", "balls[1].velocity.z");
+}
+
+TEST(Scenario, NamesFieldsThatAreGivenTwice) {
+  expect_fault("\"gravity\": 9.81", "\"gravity\": 9.81, \"gravity\": 9.81", "scene.gravity");
+  expect_fault("\"mass\": 0.155922", "\"mass\": 1, \"mass\": 1", "scene.ball.mass");
+  expect_fault("\"y\": 0}}]", "\"y\": 0, \"y\": 0}}]", "balls[1].velocity.y");
+  expect_fault("\"horizon\": 60", "\"balls\": []", "balls");
+}
+
+TEST(Scenario, NamesFieldsThatAreMissing) {
+  expect_fault("\"gravity\": 9.81,", "", "scene.gravity");
+  expect_fault("\"rollingFriction\": 0.01,", "", "scene.bed.motion.straight.rollingFriction");
+  expect_fault("\"normal\": 0.95", "", "scene.ballBall.restitution.normal");
+  expect_fault(
+      "\"motion\": {\"straight\":", "\"motion\": {}, \"x\": {\"straight\":", "scene.bed.x");
+  expect_fault("\"id\": 7,", "", "balls[1].id");
+  expect_fault("\"x\": -0.5842,", "", "balls[0].position.x");
+  expect_fault("\"angle\": 0.5,", "", "strike");
+  expect_fault(", \"speed\": 3.0", "", "strike.speed");
+  expect_fault("\"seed\": \"00112233445566778899aabbccddeeff\",", "", "seed");
+  EXPECT_EQ(fault_after("\"horizon\": 60", "\"maxEvents\": 9"), "");
+}
+
+TEST(Scenario, NamesValuesThatCannotBe) {
+  expect_fault("9.81", "\"NaN\"", "scene.gravity");
+  expect_fault("9.81", "\"Infinity\"", "scene.gravity");
+  expect_fault("9.81", "1e999", "scene.gravity");
+  expect_fault("9.81", "\"heavy\"", "scene.gravity");
+  expect_fault("9.81", "-9.81", "scene.gravity");
+  expect_fault("\"id\": 7", "\"id\": 0", "balls[1].id");
+  expect_fault("\"id\": 7", "\"id\": 1.5", "balls[1].id");
+  expect_fault("\"x\": 0.5842", "\"x\": 2", "balls[1].position");
+  expect_fault("\"x\": 0.5842", "\"x\": -0.55", "balls[1].position");
+  expect_fault("\"ball\": 0,", "\"ball\": 3,", "strike.ball");
+  expect_fault("\"ball\": 0,", "\"ball\": 7,", "strike.ball");
+  expect_fault("\"angle\": 0.5", "\"direction\": {\"x\": 1, \"y\": 1}", "strike.direction");
+  expect_fault("\"angle\": 0.5", "\"angle\": 1e7", "strike.angle");
+  expect_fault("00112233", "0011223", "seed");
+  expect_fault("00112233", "0011223g", "seed");
+  expect_fault("\"horizon\": 60", "\"horizon\": 0", "horizon");
+  expect_fault("\"horizon\": 60", "\"maxEvents\": 0", "maxEvents");
+}
+
+TEST(Scenario, NamesSeveralFaultsOfAScene) {
+  const std::string text = support::replaced(support::replaced(good, "0.028575", "-1"),
+                                             "\"slidingFriction\": 0.2", "\"slidingFriction\": -1");
+  const auto reading = read_scenario(text);
+  const auto* faults = std::get_if<std::vector<physics::Fault>>(&reading);
+  ASSERT_NE(faults, nullptr);
+  EXPECT_EQ(faults->size(), 2u);
+}
+
+TEST(Scenario, IsStrictJson) {
+  for (const std::string text : {"", "{", "[]", "{\"scene\": {},}", "{'scene': {}}", "{} {}"}) {
+    EXPECT_NE(fault_of(text), "") << text;
+  }
+  EXPECT_NE(fault_of("{\n  \"scene\": nonsense\n}").find("line 2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace breakshot::wire
