@@ -1,4 +1,5 @@
 // `breakshot simulate` from outside.
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ const std::string scenario = R"({
 
 support::Finished simulate(const std::string& text, std::vector<std::string> options = {}) {
   const support::Scratch scratch;
-  const std::string file = scratch.file("scenario.json", text);
+  const std::string file = scratch.path() / "scenario.json";
+  std::ofstream(file) << text;
   std::vector<std::string> words = {BREAKSHOT_PROGRAM, "simulate", file};
   words.insert(words.end(), options.begin(), options.end());
   return support::run(words);
