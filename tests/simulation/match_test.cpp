@@ -1,0 +1,117 @@
+// Whole matches against the real server, over real sockets, through everything that may happen to
+// it.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "tests/simulation/evening.hpp"
+
+namespace breakshot::simulation {
+namespace {
+
+TEST(Simulation, TwoPlayAndOneWatchesAWholeMatchWhoseRecordVerifies) {
+  constexpr std::uint64_t seed = 1;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Evening evening(seed);
+  evening.begin();
+  evening.finish(30);
+  const record::Record record = evening.checked_record();
+  EXPECT_GE(record.entries.size(), 2u);  // the start and at least one command
+  EXPECT_TRUE(record.entries.back().secret);
+  const auto listing =
+      evening.eve().ask_for<lobby::Listing>(lobby::List{lobby::Filter::finished, std::nullopt});
+  ASSERT_EQ(listing.matches.size(), 1u);
+  EXPECT_EQ(listing.matches.front().id, record.header.id);
+  EXPECT_EQ(listing.matches.front().winner, record.entries.back().outcome.status.winner);
+}
+
+TEST(Simulation, APrivateMatchIsPlayedByItsCode) {
+  Evening evening(2);
+  lobby::Create create;
+  create.is_private = true;
+  evening.begin(create);
+  const auto listing =
+      evening.eve().ask_for<lobby::Listing>(lobby::List{lobby::Filter::running, std::nullopt});
+  EXPECT_TRUE(listing.matches.empty());
+  const lobby::Answer answer =
+      evening.eve().ask(lobby::Watch{evening.ada().match(), std::nullopt, {}});
+  EXPECT_EQ(std::get<lobby::Refused>(answer).code, lobby::RefusalCode::no_such_match);
+  evening.finish(5);
+  evening.checked_record();
+}
+
+TEST(Simulation, AStoppedServerSaysGoodbyeAndTheMatchGoesOnLater) {
+  Evening evening(3);
+  evening.begin();
+  for (int i = 0; i < 4 && evening.running(); ++i) evening.step();
+  ASSERT_TRUE(evening.running());
+  evening.server().signal(SIGTERM);
+  for (Guest* guest : {&evening.ada(), &evening.bob(), &evening.eve()}) {
+    EXPECT_EQ(guest->await_goodbye().reason, lobby::GoodbyeReason::stopping);
+  }
+  EXPECT_EQ(evening.server().wait(), 0);
+  evening.resume();  // checks that everybody is back at the same seat
+  evening.finish(6);
+  evening.checked_record();
+}
+
+using Clock = std::chrono::steady_clock;
+
+/// Waits until the store has written, or some time has passed: just after a command is kept and
+/// before anybody is told.
+void await_write(const std::filesystem::path& data) {
+  const std::filesystem::path log = data / "breakshot.sqlite-wal";
+  std::error_code ignored;
+  const auto before = std::filesystem::last_write_time(log, ignored);
+  const auto deadline = Clock::now() + std::chrono::milliseconds(100);
+  while (std::filesystem::last_write_time(log, ignored) == before && Clock::now() < deadline) {
+  }
+}
+
+/// A moment between the arrival of a command and the last follower's news of it.
+void await_moment(support::RandomAsks& random, const std::filesystem::path& data) {
+  const auto delay = std::chrono::microseconds(random.below(20'000));
+  if (random.below(2) == 0) {
+    await_write(data);
+    std::this_thread::sleep_for(delay / 40);
+  } else {
+    std::this_thread::sleep_for(delay);
+  }
+}
+
+TEST(Simulation, NothingThatWasToldIsLostWheneverTheServerIsKilled) {
+  constexpr std::uint64_t seed = 4;
+  constexpr int kills = 20;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Evening evening(seed);
+  support::RandomAsks random(seed + 1);
+  int killed = 0;
+  while (killed < kills) {
+    evening.begin();
+    for (int commands = 0; killed < kills && commands < 60 && evening.running(); ++commands) {
+      if (random.below(2) == 0) {
+        evening.step();
+        continue;
+      }
+      bool done = false;
+      evening.step([&] {
+        if (std::exchange(done, true)) return;
+        await_moment(random, evening.data());
+        evening.server().kill();
+        ++killed;
+      });
+    }
+    evening.finish(5);
+    evening.checked_record();
+    if (HasFailure()) break;
+  }
+  EXPECT_EQ(killed, kills);
+}
+
+}  // namespace
+}  // namespace breakshot::simulation
