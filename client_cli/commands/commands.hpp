@@ -5,6 +5,9 @@
 
 namespace breakshot::client {
 
+Command add_render(CLI::App& program, const Globals& globals);
+Command add_replay(CLI::App& program, const Globals& globals);
 Command add_simulate(CLI::App& program, const Globals& globals);
+Command add_verify(CLI::App& program, const Globals& globals);
 
 }  // namespace breakshot::client

@@ -59,9 +59,13 @@ void paint(cairo_t* context, const Picture& picture, const Box& world, PixelSize
   canvas.everywhere();
   canvas.fill(palette::background);
   paint_table(canvas, picture.table);
+  canvas.save();
+  canvas.rectangle(frame_of(picture.table));
+  canvas.clip();
   paint_paths(canvas, picture);
   paint_balls(canvas, picture);
   paint_vectors(canvas, picture);
+  canvas.restore();
   if (canvas.full()) paint_footer(canvas, picture);
 }
 
@@ -105,6 +109,7 @@ bool ends_with(const std::string& text, const std::string& ending) {
 }  // namespace
 
 Box world_of(const Picture& picture) {
+  if (picture.window) return *picture.window;
   Box world = frame_of(picture.table);
   const Vec2 space{margin(picture), margin(picture)};
   world = {world.low - space, world.high + space};

@@ -20,19 +20,23 @@ void paint_shadow(Canvas& canvas, const DrawnBall& ball, double radius_m) {
                      {{0, palette::ink, 0.55}, {0.72, palette::ink, 0.45}, {1, palette::ink, 0}});
 }
 
-/// The painted surface, before any light falls on it.
+/// The painted surface, before any light falls on it. One fill, since two on the same edge would
+/// show a fringe.
 void paint_colours(Canvas& canvas, physics::BallId ball, Vec2 centre, double radius_m) {
-  const bool striped = is_striped(ball);
+  const Rgb colour = colour_of(ball);
   canvas.circle(centre, radius_m);
-  canvas.fill(striped ? palette::ivory : colour_of(ball));
-  if (!striped) return;
-  const Vec2 half_band{radius_m, 0.56 * radius_m};
-  canvas.save();
-  canvas.circle(centre, radius_m);
-  canvas.clip();
-  canvas.rectangle({centre - half_band, centre + half_band});
-  canvas.fill(colour_of(ball));
-  canvas.restore();
+  if (!is_striped(ball)) {
+    canvas.fill(colour);
+    return;
+  }
+  constexpr double low = 0.22;
+  constexpr double high = 1 - low;
+  constexpr double soft = 0.008;
+  canvas.fill_linear(centre - Vec2{0, radius_m}, centre + Vec2{0, radius_m},
+                     {{low - soft, palette::ivory},
+                      {low + soft, colour},
+                      {high - soft, colour},
+                      {high + soft, palette::ivory}});
 }
 
 void paint_number(Canvas& canvas, physics::BallId ball, Vec2 centre, double radius_m) {

@@ -74,6 +74,7 @@ struct DrawnPath {
 
 struct Picture {
   Table table;
+  std::optional<Box> window;  ///< the part to be seen instead of the whole table
   std::vector<DrawnBall> balls;
   std::vector<DrawnPath> paths;
   std::optional<CueVector> cue;

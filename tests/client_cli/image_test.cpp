@@ -103,7 +103,9 @@ TEST(Image, ABallChangesNothingOutsideItsShadow) {
 
 TEST(Image, NothingIsDrawnOutsideTheFrame) {
   Picture picture = racked_picture();
-  picture.cue = CueVector{{0, 0}, {1, 0}, 5};
+  picture.cue = CueVector{{1, 0}, {1, 0}, 13};
+  picture.velocities = true;
+  picture.balls[3].velocity = {0, 20};
   const Image image = default_image(picture, Detail::full);
   const Box frame = frame_of(picture.table);
   const double pixel = 1 / View(world_of(picture), image.width, image.height).px_per_m();
