@@ -12,13 +12,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds frame_time{33};
-/// How long the cue vector is seen before the balls move, and the balls after they have come to
-/// rest, s.
+/// How long, at speed 1, the cue vector is seen before the balls move, and the balls and the ruling
+/// after they have come to rest, s.
 constexpr double aim_s = 0.8;
-constexpr double rest_s = 0.6;
+constexpr double rest_s = 1.5;
 
 constexpr const char* key_help =
-    "space pause  . , step  arrows seek  + - speed  n p shot  v velocities  t tracks  q quit";
+    "q quit  space pause  ,. step  arrows seek  -+ speed  pn shot  v speeds  t paths";
 
 /// One shot on its way: what is fixed and what the viewer changes.
 class Show {
@@ -78,10 +78,12 @@ class Show {
 
   void pass(double wall_s) {
     if (playback_.paused()) return;
-    const double aiming = playback_.time_s() > 0 ? 0 : std::min(lead_s_, wall_s);
-    lead_s_ -= aiming;
-    playback_.advance(wall_s - aiming);
-    rested_s_ = playback_.at_end() ? rested_s_ + wall_s : 0;
+    // What is left of the time to aim passes at the speed of the shot.
+    const double passed_s = wall_s * playback_.speed();
+    const double aiming_s = playback_.time_s() > 0 ? 0 : std::min(lead_s_, passed_s);
+    lead_s_ -= aiming_s;
+    playback_.advance(wall_s - aiming_s / playback_.speed());
+    rested_s_ = playback_.at_end() ? rested_s_ + passed_s : 0;
   }
 
   void draw() {
@@ -95,6 +97,7 @@ class Show {
     picture.pocketed = pocketed_by(shot_, time_s, options_.pocketed);
     picture.caption = options_.caption;
     std::vector<std::string> lines = options_.lines;
+    lines.push_back(playback_.at_end() ? options_.ruling : std::string());
     lines.push_back(clock_text(playback_));
     lines.push_back(key_help);
     terminal_.show(grid_of(picture, lines, terminal_.size(), terminal_.abilities()));

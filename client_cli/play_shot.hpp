@@ -25,6 +25,7 @@ struct PlaybackOptions {
   std::vector<physics::BallId> pocketed;  ///< before this shot
   std::string caption;
   std::vector<std::string> lines;  ///< under the table, above the clock
+  std::string ruling;              ///< told when the balls have come to rest
   /// Called once a frame, so that a connection can be served meanwhile; false ends the playback.
   std::function<bool()> each_frame;
 };

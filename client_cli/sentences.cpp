@@ -15,11 +15,11 @@ std::string decimals(double value, int digits) {
   return text[0] == '-' && std::strtod(text, nullptr) == 0 ? text + 1 : text;
 }
 
-/// "a", "a or b", "a, b or c".
+/// "a", "a; or b", "a; b; or c": an alternative may have an "and" of its own.
 std::string alternatives(const std::vector<rules::Option>& options) {
   std::string text;
   for (std::size_t i = 0; i < options.size(); ++i) {
-    if (i > 0) text += i + 1 == options.size() ? " or " : ", ";
+    if (i > 0) text += i + 1 == options.size() ? "; or " : "; ";
     text += words_of(options[i]);
   }
   return text;
@@ -136,7 +136,7 @@ std::string status_text(const match::Status& status, const Names& names) {
   if (status.stage == match::Stage::finished) return match_end_text(status, names);
   const rules::GameStatus& game = status.game;
   const std::string name = name_of(names, game.turn);
-  if (!game.options.empty()) return name + " must choose to " + alternatives(game.options) + ".";
+  if (!game.options.empty()) return name + " must choose: " + alternatives(game.options) + ".";
   std::string text = name + (game.breaking ? " breaks" : " shoots" + group_text(game));
   if (game.ball_in_hand == rules::BallInHand::anywhere) text += " with ball in hand";
   if (game.ball_in_hand == rules::BallInHand::behind_head_string) {

@@ -49,17 +49,20 @@ void print_json(const record::Record& record, const Options& options) {
   }
 }
 
-/// What stands under the table during a shot.
-std::vector<std::string> lines_for(const StoredShot& shot, std::size_t shots, const Names& names) {
-  const record::Entry& entry = *shot.entry;
-  const rules::Seat seat = entry.author.seat.value_or(rules::Seat{0});
-  std::string place = "Shot " + std::to_string(shot.number) + " of " + std::to_string(shots) +
-                      ", rack " + std::to_string(shot.before.rack);
+/// "Shot 3 of 20, rack 1, Ada 0 : 0 Bob".
+std::string place_text(const StoredShot& shot, std::size_t shots, const Names& names) {
+  const std::string place = "Shot " + std::to_string(shot.number) + " of " + std::to_string(shots) +
+                            ", rack " + std::to_string(shot.before.rack);
   const std::string score = score_text(shot.before, names);
-  if (!score.empty()) place += ", " + score;
-  std::string ruling =
+  return score.empty() ? place : place + ", " + score;
+}
+
+/// What the shot meant and what is next.
+std::string outcome_text(const record::Entry& entry, const Names& names) {
+  const rules::Seat seat = entry.author.seat.value_or(rules::Seat{0});
+  std::string text =
       entry.outcome.ruling ? ruling_text(*entry.outcome.ruling, seat, names) : std::string();
-  return {place, ruling};
+  return text + (text.empty() ? "" : " ") + status_text(entry.outcome.status, names);
 }
 
 int play(const record::Record& record, const Options& options, const Abilities& abilities) {
@@ -80,7 +83,8 @@ int play(const record::Record& record, const Options& options, const Abilities& 
     playback.cue = cue_vector_of(shot);
     playback.pocketed = shot.pocketed;
     playback.caption = command_text(shot.entry->author, shot.entry->command, shot.before, names);
-    playback.lines = lines_for(shot, shots.size(), names);
+    playback.lines = {place_text(shot, shots.size(), names)};
+    playback.ruling = outcome_text(*shot.entry, names);
     const Played played = play_shot(terminal, table, shot.shot(), playback);
     if (played.ended_by == PlaybackKey::quit) break;
     if (played.ended_by == PlaybackKey::previous_shot) {

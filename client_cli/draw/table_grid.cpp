@@ -194,13 +194,19 @@ void put_caption(Grid& grid, int row, const Picture& picture, bool coloured) {
   grid.write(column, row, picture.caption);
 }
 
-/// Where the table goes: as large as its shape allows, in the middle of the columns.
+/// Where the table goes: as large as its shape allows, in the middle of the columns. A plain table
+/// has a border of one cell.
 Region table_region(const Picture& picture, TerminalSize size, int rows, bool coloured) {
   const Box world = coloured ? coarse_world(picture.table) : picture.table.bed;
-  const double shape = world.width() / world.height();
-  const int columns = std::min(size.columns, static_cast<int>(std::ceil(2 * rows * shape)));
-  const int fitting = std::min(rows, static_cast<int>(std::ceil(columns / shape / 2)));
-  return {(size.columns - columns) / 2, 0, columns, fitting};
+  const int border = coloured ? 0 : 2;
+  // In cells, which are twice as high as they are wide.
+  const double shape = 2 * world.width() / world.height();
+  const auto cells = [](double length) { return static_cast<int>(std::lround(length)); };
+  const int inner = std::min(size.columns - border, cells((rows - border) * shape));
+  const int fitting = std::min(rows - border, cells(std::ceil(inner / shape)));
+  const int columns = std::max(inner, 0) + border;
+  return {(size.columns - columns) / 2, 0, std::min(columns, size.columns),
+          std::max(fitting, 0) + border};
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(StatusText, SaysWhoseTurnItIsAndWithWhat) {
   EXPECT_EQ(status_text(status, ada_and_bob), "Bob shoots on stripes with ball in hand.");
   status.game.options = {rules::Option::accept_table, rules::Option::rerack_and_break};
   EXPECT_EQ(status_text(status, ada_and_bob),
-            "Bob must choose to accept the table or rack again and break.");
+            "Bob must choose: accept the table; or rack again and break.");
   status = running(Seat{0});
   status.game.breaking = true;
   status.game.ball_in_hand = rules::BallInHand::behind_head_string;
