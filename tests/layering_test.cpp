@@ -69,7 +69,7 @@ const std::map<std::string, Names, std::less<>>& graph() {
       {"tests/shell", {"server/shell"}},
       {"tests/client_cli", {"client_cli"}},
       {"tests/extremes", {"common/physics"}},
-      {"tests/golden", {"common/record"}},
+      {"tests/golden", {"common/wire"}},
       {"tests/simulation", {"server", "client_cli"}},
       {"tests/support", {"server", "client_cli"}},
       {"bench", {"server", "client_cli", "benchmark"}},
@@ -288,7 +288,7 @@ TEST(Layering, LetsRightSourcesBe) {
   const std::vector<std::pair<std::string, std::string>> right = {
       {"common/match/a.cpp", "#include \"common/rules/facts.hpp\"\n#include <vector>"},
       {"common/physics/a.cpp",
-       "x = std::sqrt(y) + length(a) + shot.time + entry.log() + own::sin(z);"},
+       "x = std::sqrt(y) + length(a) + shot.time + entry.log() + own::sin(z);\nReal time(Path p);"},
       {"common/physics/a.cpp",
        "// #include <random>\n/* std::sin(x) */ f(\"cos(\", 'x', R\"(pow()\");"},
       {"common/wire/a.cpp", "#include \"breakshot/v1/match.pb.h\"\n#include <random>"},

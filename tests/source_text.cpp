@@ -61,6 +61,16 @@ class LineCounter {
   std::size_t line_ = 1;
 };
 
+/// Whether `before`, the code ahead of a name and its parenthesis, ends in a type: then the name is
+/// declared there, not called.
+bool declares(std::string_view before) {
+  static const std::set<std::string_view> other_words = {
+      "return", "co_return", "co_yield", "co_await", "throw", "else", "do", "case"};
+  std::size_t begin = before.size();
+  while (begin > 0 && in_word(before[begin - 1])) --begin;
+  return begin < before.size() && !other_words.contains(before.substr(begin));
+}
+
 bool may_be_standard(std::string_view code, std::size_t begin, std::size_t end) {
   const auto last = code.substr(0, begin).find_last_not_of(blanks);
   const std::string_view before = last == std::string_view::npos ? "" : code.substr(0, last + 1);
@@ -71,7 +81,7 @@ bool may_be_standard(std::string_view code, std::size_t begin, std::size_t end) 
     if (scope.empty() || !in_word(scope.back())) return true;
     return scope.ends_with("std") && (scope.size() == 3 || !in_word(scope[scope.size() - 4]));
   }
-  if (before.ends_with(".") || before.ends_with("->")) return false;
+  if (before.ends_with(".") || before.ends_with("->") || declares(before)) return false;
   const auto next = code.find_first_not_of(blanks, end);
   return next != std::string_view::npos && code[next] == '(';
 }
