@@ -50,6 +50,10 @@ int parse_and_run(int argc, char** argv) {
     return program.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
     const auto chosen = program.get_subcommands();
+    const auto unread = program.remaining();
+    if (chosen.empty() && !unread.empty()) {
+      return complain(unread.front() + ": no such command\nTry 'breakshot --help'.", exit_usage);
+    }
     const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
     return complain(std::string(error.what()) + "\nTry 'breakshot" + name + " --help'.",
                     exit_usage);

@@ -97,24 +97,23 @@ void on_resize(int) {
   size_news = true;
 }
 
-struct sigaction handler(void (*function)(int)) {
+/// Leaves alone what is ignored: whoever started us (nohup, say) wants it so.
+void catch_signal(int signal, void (*function)(int), struct sigaction& found) {
+  ::sigaction(signal, nullptr, &found);
+  if (found.sa_handler == SIG_IGN) return;
   struct sigaction action {};
   action.sa_handler = function;
   ::sigfillset(&action.sa_mask);
-  return action;
+  ::sigaction(signal, &action, nullptr);
 }
 
 void catch_signals() {
   for (std::size_t i = 0; i < deadly.size(); ++i) {
-    const struct sigaction action = handler(on_deadly);
-    ::sigaction(deadly[i], &action, &found_deadly[i]);
+    catch_signal(deadly[i], on_deadly, found_deadly[i]);
   }
-  const struct sigaction stop = handler(on_stop);
-  ::sigaction(SIGTSTP, &stop, &found_stop);
-  const struct sigaction go_on = handler(on_continue);
-  ::sigaction(SIGCONT, &go_on, &found_continue);
-  const struct sigaction resize = handler(on_resize);
-  ::sigaction(SIGWINCH, &resize, &found_resize);
+  catch_signal(SIGTSTP, on_stop, found_stop);
+  catch_signal(SIGCONT, on_continue, found_continue);
+  catch_signal(SIGWINCH, on_resize, found_resize);
 }
 
 void leave_signals() {

@@ -31,6 +31,8 @@ TEST(Program, ExitsWithTwoWhereTheLineCannotBeUnderstood) {
     EXPECT_EQ(ran.err.rfind("breakshot: ", 0), 0u) << ran.err;
   }
   EXPECT_EQ(support::run({BREAKSHOT_PROGRAM}).status, 2);
+  EXPECT_EQ(support::run({BREAKSHOT_PROGRAM, "nonsense"}).err.rfind("breakshot: nonsense: ", 0),
+            0u);
 }
 
 }  // namespace

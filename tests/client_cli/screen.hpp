@@ -1,5 +1,5 @@
-// A terminal's screen, as far as our escape sequences reach: cursor positions, 24-bit colours and
-// characters. Anything else is an error.
+// A terminal's screen, as far as our escape sequences reach: cursor positions, 24-bit colours,
+// characters, clearing, and private modes, which change nothing here. Anything else is an error.
 #pragma once
 
 #include <stdexcept>
@@ -43,20 +43,31 @@ class Screen {
   }
 
   std::size_t control(std::string_view text) {
-    const std::size_t end = text.find_first_of("Hm");
-    if (text.substr(0, 2) != "\x1b[" || end == std::string_view::npos) {
+    // A sequence ends with its first byte in 0x40 to 0x7e (ECMA-48, section 5.4).
+    std::size_t end = 2;
+    while (end < text.size() && (text[end] < 0x40 || text[end] > 0x7e)) ++end;
+    if (text.substr(0, 2) != "\x1b[" || end >= text.size()) {
       throw std::runtime_error("unknown escape sequence");
     }
-    const std::vector<int> numbers = numbers_of(text.substr(2, end - 2));
-    if (text[end] == 'H') {
+    const std::string_view parameters = text.substr(2, end - 2);
+    const bool is_mode = text[end] == 'h' || text[end] == 'l';
+    if (!is_mode || parameters.substr(0, 1) != "?") act(text[end], numbers_of(parameters));
+    return end + 1;
+  }
+
+  void act(char kind, const std::vector<int>& numbers) {
+    if (kind == 'H') {
       row_ = numbers.at(0) - 1;
       column_ = numbers.at(1) - 1;
-    } else if (numbers.at(0) == 0) {
+    } else if (kind == 'J' && numbers.at(0) == 2) {
+      grid_ = Grid(grid_.size());
+    } else if (kind == 'm' && numbers.at(0) == 0) {
       pen_ = Cell{};
-    } else {
+    } else if (kind == 'm') {
       colour(numbers);
+    } else {
+      throw std::runtime_error("unknown escape sequence");
     }
-    return end + 1;
   }
 
   void colour(const std::vector<int>& numbers) {
