@@ -2,18 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <variant>
 
 namespace breakshot::simulation {
 
-Evening::Evening(std::uint64_t seed) : random_(seed) {
+Evening::Evening(std::uint64_t seed, std::vector<std::string> server_options)
+    : server_options_(std::move(server_options)), random_(seed) {
   for (const char* name : {"Ada", "Bob", "Eve"}) guests_.emplace_back(name);
   resume();
 }
 
-void Evening::resume() {
+void Evening::resume(const support::Disk& disk) {
   server_.reset();
-  server_ = std::make_unique<support::ServerProcess>(BREAKSHOT_SERVER_PROGRAM, data());
+  server_ = std::make_unique<support::ServerProcess>(BREAKSHOT_SERVER_PROGRAM, data(),
+                                                     server_options_, disk);
   for (Guest& guest : guests_) guest.connect(server_->port());
 }
 
@@ -51,7 +54,7 @@ match::Command Evening::command_of(const Guest& player) {
   }
 }
 
-void Evening::step(const std::function<void()>& said) {
+bool Evening::step(const std::function<void()>& said) {
   const match::Seat turn = ada().view().status.game.turn;
   Guest& player = ada().seat() == turn ? ada() : bob();
   const match::Seq seq = player.next();
@@ -59,7 +62,9 @@ void Evening::step(const std::function<void()>& said) {
   while (player.next() == seq) {
     const lobby::Act command{player.match(), seq, match::CommandId{random_.below(1U << 30) + 1},
                              command_of(player)};
-    act(player, command, said);
+    const lobby::Answer answer = act(player, command, said);
+    const auto* refused = std::get_if<lobby::Refused>(&answer);
+    if (refused != nullptr && refused->code == lobby::RefusalCode::unavailable) return false;
   }
   for (Guest& guest : guests_) {
     if (!guest.news()) continue;
@@ -71,26 +76,29 @@ void Evening::step(const std::function<void()>& said) {
     }
   }
   if (!server_->running()) resume();  // it was killed when everybody knew already
+  return true;
 }
 
-void Evening::act(Guest& player, const lobby::Act& act, const std::function<void()>& said) {
+lobby::Answer Evening::act(Guest& player, const lobby::Act& act,
+                           const std::function<void()>& said) {
   try {
-    player.ask(act, said);
+    return player.ask(act, said);
   } catch (const Lost&) {
     resume();
     // Whether it had been stored or not: it is played once, and the answer is its entry.
-    const lobby::Answer answer = player.ask(act);
-    const auto* news = std::get_if<lobby::EntryNews>(&answer);
-    if (news != nullptr) {
+    lobby::Answer answer = player.ask(act);
+    if (const auto* news = std::get_if<lobby::EntryNews>(&answer)) {
       EXPECT_EQ(news->entry->seq, act.expected);
       EXPECT_EQ(news->entry->id, act.id);
     }
+    return answer;
   }
 }
 
 void Evening::finish(int commands) {
   commands_left_ = commands;
-  while (running()) step();
+  while (running() && step()) {
+  }
 }
 
 record::Record Evening::checked_record() {

@@ -22,14 +22,14 @@ namespace breakshot::simulation {
 
 class Evening {
  public:
-  explicit Evening(std::uint64_t seed);
+  explicit Evening(std::uint64_t seed, std::vector<std::string> server_options = {});
 
   /// Two take their seats and contribute, the third watches; until the first entry has come.
   void begin(const lobby::Create& create = {});
   /// One command of the player whose turn it is, until all three have its entry. `said` is called
   /// when it has been sent and not answered yet. The server may be lost at any moment: then
-  /// everybody comes back and the same command is sent again.
-  void step(const std::function<void()>& said = {});
+  /// everybody comes back and the same command is sent again. False if the store cannot keep it.
+  bool step(const std::function<void()>& said = {});
   /// Plays on; after `commands` of them somebody concedes.
   void finish(int commands);
   bool running() const;
@@ -37,7 +37,7 @@ class Evening {
   support::ServerProcess& server() { return *server_; }
   std::filesystem::path data() const { return scratch_.path() / "data"; }
   /// Starts the server again on the same data, and brings everybody back.
-  void resume();
+  void resume(const support::Disk& disk = {});
 
   /// The finished match, fetched by the spectator; checks that it verifies and holds everything
   /// that anybody was ever told.
@@ -49,8 +49,9 @@ class Evening {
 
  private:
   match::Command command_of(const Guest& player);
-  void act(Guest& player, const lobby::Act& act, const std::function<void()>& said);
+  lobby::Answer act(Guest& player, const lobby::Act& act, const std::function<void()>& said);
 
+  const std::vector<std::string> server_options_;
   support::Scratch scratch_;
   std::unique_ptr<support::ServerProcess> server_;
   support::RandomAsks random_;

@@ -5,14 +5,18 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
+#include <variant>
 
 #include "tests/simulation/evening.hpp"
 
 namespace breakshot::simulation {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 TEST(Simulation, TwoPlayAndOneWatchesAWholeMatchWhoseRecordVerifies) {
   constexpr std::uint64_t seed = 1;
@@ -60,7 +64,42 @@ TEST(Simulation, AStoppedServerSaysGoodbyeAndTheMatchGoesOnLater) {
   evening.checked_record();
 }
 
-using Clock = std::chrono::steady_clock;
+TEST(Simulation, AFullDiskRefusesCommandsAndLosesNothing) {
+  Evening evening(5);
+  evening.begin();
+  evening.server().kill();
+  evening.resume({128 * 1024});
+  while (evening.running() && evening.step()) {
+  }
+  if (!evening.running()) GTEST_SKIP() << "the match was over before the disk was full";
+  EXPECT_FALSE(evening.step()) << "it stays full";
+  evening.ada().ask_for<lobby::Done>(lobby::Ping{});
+  evening.server().signal(SIGTERM);
+  for (Guest* guest : {&evening.ada(), &evening.bob(), &evening.eve()}) guest->await_goodbye();
+  EXPECT_EQ(evening.server().wait(), 0);
+  evening.resume();
+  evening.finish(3);
+  evening.checked_record();
+}
+
+TEST(Simulation, AVanishedOpponentLosesTheMatchToAClaim) {
+  Evening evening(6, {"--claim-after", "1"});
+  evening.begin();
+  evening.bob().disconnect();
+  const auto deadline = Clock::now() + support::patience;
+  std::optional<lobby::Answer> answer;
+  while (Clock::now() < deadline) {
+    answer = evening.ada().ask(lobby::Claim{evening.ada().match()});
+    const auto* refused = std::get_if<lobby::Refused>(&*answer);
+    if (refused == nullptr) break;
+    ASSERT_EQ(refused->code, lobby::RefusalCode::too_early) << refused->what;
+  }
+  const auto* news = std::get_if<lobby::EntryNews>(&*answer);
+  ASSERT_NE(news, nullptr);
+  EXPECT_EQ(news->entry->outcome.status.winner, evening.ada().seat());
+  evening.eve().await(news->entry->seq);
+  evening.checked_record();
+}
 
 /// Waits until the store has written, or some time has passed: just after a command is kept and
 /// before anybody is told.

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,12 +21,17 @@
 
 namespace breakshot::support {
 
+/// No file can grow beyond this many bytes, as if the disk were full; 0: no such limit.
+struct Disk {
+  std::uint64_t file_bytes = 0;
+};
+
 class ServerProcess {
  public:
   /// Starts `program` with its data in `data`, and waits until it listens. What it logs is appended
   /// to `data`/log.
   ServerProcess(const std::string& program, const std::filesystem::path& data,
-                const std::vector<std::string>& options = {}) {
+                const std::vector<std::string>& options = {}, const Disk& disk = {}) {
     std::vector<std::string> words = {program, "--port", "0", "--data", data.string()};
     words.insert(words.end(), options.begin(), options.end());
     std::filesystem::create_directories(data);
@@ -38,6 +44,7 @@ class ServerProcess {
       // A test that dies takes its server with it.
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
       if (::getppid() != parent) ::_exit(127);
+      limit(disk);
       ::dup2(out.write_end, 1);
       ::dup2(::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600), 2);
       detail::become(words, {});
@@ -68,6 +75,13 @@ class ServerProcess {
   }
 
  private:
+  static void limit(const Disk& disk) {
+    if (disk.file_bytes == 0) return;
+    ::signal(SIGXFSZ, SIG_IGN);  // writing fails instead
+    const rlimit limit{disk.file_bytes, disk.file_bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+
   static std::string first_line(int fd) {
     constexpr int patience_ms = 20'000;
     std::string text;
