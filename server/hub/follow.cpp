@@ -24,8 +24,8 @@ std::size_t weight_of(const record::Entry& entry) {
 
 ReaderId add_reader(Moment& moment, Connection& connection, Reader reader) {
   const ReaderId id{++moment.state.last_reader};
+  if (!reader.live) connection.behind.push_back(id);
   moment.state.readers.emplace(id, std::move(reader));
-  connection.behind.push_back(id);
   return id;
 }
 
@@ -103,6 +103,7 @@ void follow(Moment& moment, ConnectionId id, LiveMatch& match, match::Seq from) 
   reader.connection = id;
   reader.match = match.row.id;
   reader.next = from;
+  reader.live = from == match.row.progress.next;
   const ReaderId reader_id = add_reader(moment, *connection, std::move(reader));
   connection->follows[match.row.id] = reader_id;
   match.followers[id] = reader_id;
@@ -194,10 +195,12 @@ void drained(Moment& moment, ConnectionId id) {
 void batch_loaded(Moment& moment, const LoadingBatch& loading, const ledger::FoundEntries& found) {
   Connection* connection = open_connection(moment.state, loading.connection);
   if (!connection) return;
+  if (found.entries.empty()) return batch_failed(moment, loading);
   connection->serving = false;
   const auto reader = moment.state.readers.find(loading.reader);
   if (reader != moment.state.readers.end()) {
-    // More may be stored by now than a fetch asked for.
+    // Meanwhile the reader may have been told the first of them as an answer, and more may have
+    // been stored than a fetch asked for.
     const match::Seq end = end_of(moment.state, reader->second);
     std::vector<ledger::EntryPointer> batch;
     for (const ledger::EntryPointer& entry : found.entries) {
@@ -205,8 +208,11 @@ void batch_loaded(Moment& moment, const LoadingBatch& loading, const ledger::Fou
         batch.push_back(entry);
       }
     }
-    if (batch.empty()) return batch_failed(moment, loading);
-    tell_batch(moment, loading.reader, batch);
+    if (batch.empty()) {
+      connection->behind.push_front(loading.reader);
+    } else {
+      tell_batch(moment, loading.reader, batch);
+    }
   }
   serve(moment, loading.connection);
 }
@@ -228,16 +234,28 @@ void batch_failed(Moment& moment, const LoadingBatch& loading) {
           "the match so far cannot be read now");
 }
 
+void answer_with_entry(Moment& moment, const Asker& asker, match::MatchId match,
+                       const ledger::EntryPointer& entry) {
+  const Connection* connection = open_connection(moment.state, asker.connection);
+  if (!connection) return;
+  const auto follow = connection->follows.find(match);
+  if (follow != connection->follows.end()) {
+    Reader& reader = moment.state.readers.at(follow->second);
+    if (reader.next == entry->seq) reader.next = after(entry->seq, 1);
+  }
+  finish(moment, asker, lobby::EntryNews{match, entry});
+}
+
 void announce(Moment& moment, LiveMatch& match, const std::optional<Asker>& asker) {
   const ledger::EntryPointer& entry = match.recent.back();
+  if (asker) answer_with_entry(moment, *asker, match.row.id, entry);
   std::vector<ConnectionId> to;
   for (const auto& [connection, reader_id] : match.followers) {
     Reader& reader = moment.state.readers.at(reader_id);
-    if (!reader.live) continue;
+    if (!reader.live || reader.next != entry->seq) continue;
     reader.next = match.row.progress.next;
-    if (!asker || connection != asker->connection) to.push_back(connection);
+    to.push_back(connection);
   }
-  if (asker) finish(moment, *asker, lobby::EntryNews{match.row.id, entry});
   tell(moment, std::move(to), {}, lobby::EntryNews{match.row.id, entry});
 }
 

@@ -35,6 +35,10 @@ void drained(Moment& moment, ConnectionId id);
 void batch_loaded(Moment& moment, const LoadingBatch& loading, const ledger::FoundEntries& found);
 void batch_failed(Moment& moment, const LoadingBatch& loading);
 
+/// Answers a command with its entry. To a follower who is to be told just this one next, the answer
+/// is it.
+void answer_with_entry(Moment& moment, const Asker& asker, match::MatchId match,
+                       const ledger::EntryPointer& entry);
 /// Tells a new entry, which is match.recent.back(), to all who are up to date, and answers the one
 /// who asked for it.
 void announce(Moment& moment, LiveMatch& match, const std::optional<Asker>& asker);

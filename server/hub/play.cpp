@@ -65,7 +65,7 @@ void advance(Moment& moment, LiveMatch& match, Played played) {
 void answer_with(Moment& moment, const Asker& asker, match::Seat seat, const lobby::Act& act,
                  const ledger::EntryPointer& entry) {
   if (entry->id == act.id && entry->author.seat == seat) {
-    return finish(moment, asker, lobby::EntryNews{act.match, entry});
+    return answer_with_entry(moment, asker, act.match, entry);
   }
   finish(moment, asker,
          lobby::Refused{Code::command, match::RefusalCode::wrong_sequence,

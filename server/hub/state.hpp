@@ -38,7 +38,7 @@ struct Reader {
   /// Where it ends: of a fetch, or when the match is finished. Missing: it goes on live.
   std::optional<match::Seq> end;
   std::optional<Asker> fetch;  ///< a fetch's request, answered at the end
-  bool live = false;           ///< has been told everything: hears entries as they are stored
+  bool live = false;           ///< has been told everything, and hears entries as they are stored
 };
 
 // ---- Connections

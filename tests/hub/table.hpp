@@ -17,6 +17,14 @@ struct Player {
   std::string name;
 };
 
+/// Few entries in memory, few in a batch.
+inline Limits small_batches() {
+  Limits limits;
+  limits.recent_entries = 3;
+  limits.batch_bytes = 1500;
+  return limits;
+}
+
 /// A new guest.
 inline Player meet(HubRig& rig, const std::string& name) {
   const ConnectionId connection = rig.open();
@@ -104,6 +112,10 @@ inline match::Command a_place(std::uint32_t number) {
 inline lobby::Act act(match::MatchId match, std::uint32_t expected, std::uint64_t id,
                       match::Command command) {
   return {match, match::Seq{expected}, match::CommandId{id}, std::move(command)};
+}
+
+inline lobby::Refused refused(HubRig& rig, const Player& player, lobby::Request request) {
+  return rig.get<lobby::Refused>(player.connection, std::move(request));
 }
 
 /// The numbers of the entries that a connection was told, in order, whether asked for or not.
