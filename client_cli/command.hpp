@@ -4,17 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace breakshot::client {
+#include "client_cli/command_error.hpp"
 
-// Exit statuses. A command that needs others documents them in its --help.
-inline constexpr int exit_done = 0;
-inline constexpr int exit_failed = 1;        ///< the answer is no, or the world failed
-inline constexpr int exit_usage = 2;         ///< the command line or its input cannot be understood
-inline constexpr int exit_not_revealed = 3;  ///< `verify`: the match still keeps its secret
+namespace breakshot::client {
 
 enum class Colour { automatic, always, never };
 
@@ -23,17 +18,6 @@ struct Globals {
   std::string server;  ///< HOST, HOST:PORT or [HOST]:PORT, see server_address.hpp
   bool json = false;   ///< one JSON object a line instead of text for people
   Colour colour = Colour::automatic;
-};
-
-/// Ends a command: main prints "breakshot: <what>" on standard error and exits with `status`.
-class CommandError : public std::runtime_error {
- public:
-  explicit CommandError(const std::string& what, int status = exit_failed)
-      : std::runtime_error(what), status_(status) {}
-  int status() const { return status_; }
-
- private:
-  int status_;
 };
 
 /// A command that has been added: its parser, and what to run once the line has been parsed.

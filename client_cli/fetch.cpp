@@ -1,6 +1,6 @@
 #include "client_cli/fetch.hpp"
 
-#include "client_cli/command.hpp"
+#include "client_cli/command_error.hpp"
 #include "client_cli/online/connection.hpp"
 #include "client_cli/online/match_name.hpp"
 

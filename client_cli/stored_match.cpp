@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "client_cli/fetch.hpp"
-#include "common/lobby/code.hpp"
+#include "client_cli/online/match_name.hpp"
 
 namespace breakshot::client {
 namespace {
@@ -37,19 +37,8 @@ StoredMatch match_in(const std::string& name, const record::ByteVector& bytes) {
   throw CommandError(name + ": is not a match record: " + what, exit_usage);
 }
 
-bool names_a_match(const std::string& name) {
-  const bool is_id =
-      name.size() == 16 && name.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
-  return is_id || lobby::code_of(name).has_value();
-}
-
-StoredMatch match_on_server(const std::string& name, const std::string& server) {
-  const auto address = server_address_of(server);
-  if (!address) {
-    throw CommandError("--server: " + server + ": must be HOST, HOST:PORT or [HOST]:PORT",
-                       exit_usage);
-  }
-  auto fetched = fetch_record(*address, name);
+StoredMatch match_on_server(const std::string& name, const Globals& globals) {
+  auto fetched = fetch_record(server_of(globals), name);
   if (const auto* failure = std::get_if<Failure>(&fetched)) {
     throw CommandError(name + ": " + failure->what);
   }
@@ -70,8 +59,8 @@ bool lies_on(const physics::State& table, physics::BallId id) {
 StoredMatch open_match(const std::string& name, const Globals& globals) {
   std::error_code ignored;
   const bool is_file = name == "-" || std::filesystem::exists(name, ignored);
-  if (is_file || !names_a_match(name)) return match_in(name, bytes_of_file(name));
-  return match_on_server(name, globals.server);
+  if (is_file || !match_name_of(name)) return match_in(name, bytes_of_file(name));
+  return match_on_server(name, globals);
 }
 
 std::string damage_text(const StoredMatch& match) {

@@ -52,8 +52,23 @@ class Pen {
     row_ = row;
   }
 
-  std::string take() {
+  /// The cursor stands at the start of a row already.
+  void begin_line(int row) {
+    column_ = 0;
+    row_ = row;
+  }
+  void plain() {
     if (ink_ || ground_) out_ += "\x1b[0m";
+    ink_.reset();
+    ground_.reset();
+  }
+  void end_line() {
+    plain();
+    out_ += '\n';
+  }
+
+  std::string take() {
+    plain();
     return std::move(out_);
   }
 
@@ -159,6 +174,19 @@ std::string transition(const Grid* before, const Grid& next, ColourDepth colours
       const Cell& cell = next.at(column, row);
       if (cell.glyph == 0) continue;
       if (whole || before->at(column, row) != cell) pen.draw(column, row, cell);
+    }
+  }
+  return pen.take();
+}
+
+std::string scrolling_text_of(const Grid& grid, ColourDepth colours) {
+  Pen pen(colours);
+  for (int row = 0; row < grid.size().rows; ++row) {
+    if (row > 0) pen.end_line();
+    pen.begin_line(row);
+    for (int column = 0; column < grid.size().columns; ++column) {
+      const Cell& cell = grid.at(column, row);
+      if (cell.glyph != 0) pen.draw(column, row, cell);
     }
   }
   return pen.take();

@@ -59,6 +59,10 @@ int indexed_colour(Rgb colour);
 /// written where `before` is missing or of another size.
 std::string transition(const Grid* before, const Grid& next, ColourDepth colours);
 
+/// The grid as lines that scroll with the rest of a terminal's text: colours are set within each
+/// line and taken back at its end; the last line has no end.
+std::string scrolling_text_of(const Grid& grid, ColourDepth colours);
+
 /// The grid's characters as lines of text without any escape, blanks at the end left out.
 std::string text_of(const Grid& grid);
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "client_cli/command.hpp"
+#include "client_cli/command_error.hpp"
 #include "common/wire/translate.hpp"
 
 namespace breakshot::client {
@@ -39,6 +39,7 @@ Connection::Connection(ServerAddress server, Guest guest, Notice notice, const P
 lobby::Answer Connection::ask(const lobby::Request& request) {
   while (true) {
     try {
+      if (!lost_.empty()) throw Lost(lost_);
       const lobby::Answer answer = ask_once(request);
       note(request, answer);
       return answer;
@@ -60,6 +61,7 @@ std::variant<record::Record, lobby::Refused> Connection::fetch(lobby::Fetch requ
   };
   while (true) {
     try {
+      if (!lost_.empty()) throw Lost(lost_);
       request.from = match::Seq(entries.size());
       const lobby::Answer answer = ask_once(request, keep);
       if (const auto* refused = std::get_if<lobby::Refused>(&answer)) return *refused;
@@ -78,6 +80,7 @@ std::optional<News> Connection::next(Milliseconds patience, int other) {
   const auto deadline = Clock::now() + patience;
   while (news_.empty()) {
     try {
+      if (!lost_.empty()) throw Lost(lost_);
       if (const auto told = take()) {
         hear(told->answer);
         continue;
@@ -95,9 +98,22 @@ std::optional<News> Connection::next(Milliseconds patience, int other) {
   return news;
 }
 
+void Connection::serve() {
+  if (!lost_.empty()) return;
+  try {
+    stay_in_touch();
+    do {
+      while (const auto told = take()) hear(told->answer);
+    } while (fill(Milliseconds::zero(), -1) == Woke::stream);
+  } catch (const Lost& lost) {
+    lost_ = lost.what();
+  }
+}
+
 // ---- One connection
 
 void Connection::open() {
+  lost_.clear();
   stream_.reset();
   stream_.emplace(server_, patience_.connect);
   frames_ = wire::FrameDecoder(wire::max_answer_frame);

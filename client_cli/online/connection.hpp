@@ -64,6 +64,10 @@ class Connection {
   /// descriptor, or -1) can be read.
   std::optional<News> next(Milliseconds patience, int other = -1);
 
+  /// Takes in what has come meanwhile and shows the server that we are there, without waiting and
+  /// without coming back where the connection is lost: for whoever is busy for long.
+  void serve();
+
  private:
   using Clock = std::chrono::steady_clock;
   using Piece = std::function<void(const lobby::Answer&)>;
@@ -98,6 +102,7 @@ class Connection {
   Patience patience_;
 
   std::optional<Stream> stream_;
+  std::string lost_;  ///< why the connection was lost while nobody waited for it; else empty
   wire::FrameDecoder frames_{wire::max_answer_frame};
   std::vector<std::uint8_t> received_;  ///< not yet cut into frames
   Clock::time_point heard_;             ///< when something was last received

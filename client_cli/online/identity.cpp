@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "client_cli/command.hpp"
+#include "client_cli/command_error.hpp"
 #include "common/hash/hash.hpp"
 
 namespace breakshot::client {

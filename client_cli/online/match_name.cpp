@@ -7,6 +7,7 @@
 #include <charconv>
 #include <iostream>
 
+#include "client_cli/command.hpp"
 #include "common/lobby/code.hpp"
 #include "common/lobby/name.hpp"
 
@@ -33,7 +34,7 @@ std::optional<MatchName> match_name_of(std::string_view text) {
 
 void MatchOptions::add_to(CLI::App& parser) {
   auto* id =
-      parser.add_option("match", match, "The match: 16 hexadecimal digits")->type_name("MATCH");
+      parser.add_option("MATCH", match, "The match: 16 hexadecimal digits, or its invite code");
   parser.add_option("--code", code, "The invite code of a private match")
       ->type_name("CODE")
       ->excludes(id);

@@ -1,17 +1,21 @@
 // How people name a match on a server, and what is asked of the command line for it.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "client_cli/command.hpp"
 #include "client_cli/online/connection.hpp"
 #include "client_cli/server_address.hpp"
 #include "common/lobby/lobby.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace breakshot::client {
+
+struct Globals;
 
 /// One of the two.
 struct MatchName {

@@ -1,10 +1,10 @@
 // Bytes to and from a server, and waiting for them. Everything here happens on the caller's thread.
 #pragma once
 
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -29,6 +29,7 @@ class Stream {
   /// Connects to the first of the host's addresses that answers. Throws Lost, also after
   /// `patience`.
   Stream(const ServerAddress& server, Milliseconds patience);
+  ~Stream();
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
@@ -45,8 +46,8 @@ class Stream {
   std::size_t receive(std::span<std::uint8_t> buffer);
 
  private:
-  boost::asio::io_context context_;
-  boost::asio::ip::tcp::socket socket_;
+  struct Socket;
+  std::unique_ptr<Socket> socket_;  ///< keeps Asio's headers out of this one
 };
 
 }  // namespace breakshot::client

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "client_cli/command.hpp"
+#include "client_cli/command_error.hpp"
 #include "client_cli/online/match_view.hpp"
 #include "tests/client_cli/one_match_server.hpp"
 #include "tests/support/scratch.hpp"
@@ -75,7 +75,7 @@ std::string play(Connection& connection) {
   }
   const auto fetched = connection.fetch({id, std::nullopt, {}});
   for (const auto& entry : std::get<record::Record>(fetched).entries) {
-    told += "+" + std::to_string(static_cast<std::uint32_t>(entry.seq));
+    told += '+' + std::to_string(static_cast<std::uint32_t>(entry.seq));
   }
   return told;
 }

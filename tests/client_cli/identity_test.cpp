@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "client_cli/command.hpp"
+#include "client_cli/command_error.hpp"
 #include "tests/support/scratch.hpp"
 
 namespace breakshot::client {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client_cli/command.hpp"
 #include "client_cli/fetch.hpp"
 #include "common/lobby/name.hpp"
 #include "tests/client_cli/one_match_server.hpp"
