@@ -71,8 +71,8 @@ TEST(Simulation, AFullDiskRefusesCommandsAndLosesNothing) {
   evening.resume({128 * 1024});
   while (evening.running() && evening.step()) {
   }
-  if (!evening.running()) GTEST_SKIP() << "the match was over before the disk was full";
-  EXPECT_FALSE(evening.step()) << "it stays full";
+  // A smaller entry may still fit; what counts is that the refused one changed nothing.
+  ASSERT_TRUE(evening.running()) << "the match was over before the disk was full";
   evening.ada().ask_for<lobby::Done>(lobby::Ping{});
   evening.server().signal(SIGTERM);
   for (Guest* guest : {&evening.ada(), &evening.bob(), &evening.eve()}) guest->await_goodbye();
