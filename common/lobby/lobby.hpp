@@ -110,10 +110,11 @@ struct Contribute {
 
   friend bool operator==(const Contribute&, const Contribute&) = default;
 };
-/// A command of the asker's seat; answered by EntryNews with the entry that it became. To a follower
-/// who awaits just this number the answer is the entry itself, and it is not told again; to one who
-/// is still being told the match so far it comes once more, in its place. The same id at the same
-/// sequence number is the same command sent again and is answered with the same entry, once more.
+/// A command of the asker's seat; answered by EntryNews with the entry that it became. To a
+/// follower who awaits just this number the answer is the entry itself, and it is not told again;
+/// to one who is still being told the match so far it comes once more, in its place. The same id at
+/// the same sequence number is the same command sent again and is answered with the same entry,
+/// once more.
 struct Act {
   match::MatchId match{};
   match::Seq expected{};
