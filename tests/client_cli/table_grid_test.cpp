@@ -52,7 +52,7 @@ TEST(TableGrid, NumbersEachBallOnItsOwnColour) {
   EXPECT_LT(six.column, nine.column);
   EXPECT_LT(three.row, six.row);
   EXPECT_LT(six.row, nine.row);
-  EXPECT_NEAR(six.column, size.columns / 2, 1);
+  EXPECT_NEAR(six.column, size.columns / 2.0, 1);
 }
 
 TEST(TableGrid, ShowsTheCueBallWithoutANumber) {
