@@ -1,5 +1,6 @@
 #include "client_cli/online/bot_player.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -10,6 +11,7 @@ namespace breakshot::client {
 namespace {
 
 constexpr Milliseconds a_while{60'000};
+constexpr Milliseconds a_moment{100};
 /// Shots of both players without a ball pocketed after which a table is a stalemate to the bot.
 constexpr unsigned stalemate_shots = 24;
 /// It gives up the match rather than try more shots of one position that cannot be played.
@@ -37,11 +39,19 @@ class BotSeat {
 
   void play() {
     while (!is_over(player_.view())) {
-      if (!may_act() || !act()) player_.hear(a_while);
+      if (!may_act() || !act()) wait();
     }
   }
 
  private:
+  /// For news; and if none comes from an opponent who is away, claims the match.
+  void wait() {
+    const auto patience = std::min(a_while, player_.claim_after() + a_moment);
+    if (player_.hear(patience) || !opponent_is_away(player_.view())) return;
+    // Too early, or he has come back at this moment: either way there will be news or time.
+    player_.claim();
+  }
+
   bool may_act() const {
     const MatchView& view = player_.view();
     return view.you && view.last && stage_of(view) == match::Stage::running && is_up_to_date(view);

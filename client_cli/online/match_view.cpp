@@ -50,6 +50,16 @@ bool is_my_turn(const MatchView& view) {
          view.last->outcome.status.game.turn == *view.you;
 }
 
+bool opponent_is_away(const MatchView& view) {
+  if (stage_of(view) != match::Stage::running) return false;
+  for (std::size_t i = 0; i < view.info.seats.size(); ++i) {
+    const lobby::SeatInfo& seat = view.info.seats[i];
+    const bool mine = view.you && rules::number(*view.you) == i;
+    if (!mine && !seat.name.empty() && !seat.present) return true;
+  }
+  return false;
+}
+
 bool is_up_to_date(const MatchView& view) {
   return view.next >= view.info.next;
 }

@@ -34,6 +34,8 @@ match::Stage stage_of(const MatchView& view);
 bool is_over(const MatchView& view);
 /// The match runs and asks something of the follower.
 bool is_my_turn(const MatchView& view);
+/// A player of the running match other than the follower is away.
+bool opponent_is_away(const MatchView& view);
 /// The number of entries that there were when the match was asked for has been told.
 bool is_up_to_date(const MatchView& view);
 

@@ -40,6 +40,8 @@ class Player {
   /// heard.
   std::optional<lobby::Refused> act(const match::Command& command);
 
+  /// How long an opponent must have been away before the match can be claimed.
+  Milliseconds claim_after() const { return Milliseconds(connection_.welcome().claim_after_ms); }
   /// Asks for the match, since the opponent has vanished.
   std::optional<lobby::Refused> claim();
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace breakshot::client {
 namespace {
@@ -173,10 +174,22 @@ const CommandWord* command_of(std::string_view word) {
   return found == commands.end() ? nullptr : &*found;
 }
 
-std::string padded(std::string text) {
-  constexpr std::size_t width = 24;
-  if (text.size() < width) text.resize(width, ' ');
-  return text;
+/// Breaks a text between words into lines of at most 72 characters, each after `indent`.
+std::vector<std::string> wrapped(const std::string& text, const std::string& indent) {
+  constexpr std::size_t width = 72;
+  std::vector<std::string> lines;
+  std::string line = indent;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const bool full = line.size() > indent.size() && line.size() + 1 + (end - at) > width;
+    if (full) lines.push_back(std::exchange(line, indent));
+    if (line.size() > indent.size()) line += ' ';
+    line += text.substr(at, end - at);
+    at = end + 1;
+  }
+  lines.push_back(line);
+  return lines;
 }
 
 }  // namespace
@@ -224,7 +237,8 @@ std::vector<std::string> help_on(std::string_view topic) {
     const std::string usage = *command.short_name == '\0'
                                   ? command.usage
                                   : std::string(command.usage) + ", " + command.short_name;
-    lines.push_back("  " + padded(usage) + " " + command.explanation);
+    lines.push_back("  " + usage);
+    for (auto& line : wrapped(command.explanation, "      ")) lines.push_back(std::move(line));
   }
   return lines;
 }

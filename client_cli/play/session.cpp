@@ -1,6 +1,7 @@
 #include "client_cli/play/session.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "client_cli/command_error.hpp"
@@ -59,6 +60,7 @@ void Session::heard(const MatchView& view, const News& news) {
   if (around_.abilities.interactive) around_.out << "\r\x1b[K";
   teller_.tell(view, news);
   if (entry == nullptr) {
+    if (opponent_is_away(view)) say_how_to_claim();
     if (asked_for_ == view.next) prompt();
     return;
   }
@@ -113,6 +115,12 @@ void Session::ask_if_due() {
 
 void Session::prompt() {
   if (around_.abilities.interactive && !around_.json) around_.out << "> " << std::flush;
+}
+
+void Session::say_how_to_claim() {
+  const auto minutes = std::chrono::ceil<std::chrono::minutes>(player_.claim_after()).count();
+  say("Whoever is away for " + std::to_string(minutes) + (minutes == 1 ? " minute" : " minutes") +
+      " can be claimed against: claim.");
 }
 
 void Session::show_table(bool unasked) {

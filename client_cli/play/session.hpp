@@ -43,6 +43,7 @@ class Session {
   void prompt();
   void show_table(bool unasked);
   void say_goodbye();
+  void say_how_to_claim();
 
   // What is typed.
   void handle(const std::string& line);

@@ -1,9 +1,11 @@
 // The built client against the built server, each in a process of its own.
 #include <gtest/gtest.h>
+#include <poll.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,22 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+/// Waits until `holds`, for so long that only a program that hangs fails.
+template <class Condition>
+void await(const Condition& holds) {
+  for (int tries = 0; tries < 20'000 && !holds(); ++tries) ::poll(nullptr, 0, 1);
+}
+
+/// The lines of the account that tell of shots.
+std::string shots_in(const std::string& printed) {
+  std::istringstream lines(printed);
+  std::string shots;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("shot ")) shots += line + '\n';
+  }
+  return shots;
+}
+
 std::size_t lines_with(const std::string& text, const std::string& part) {
   std::size_t count = 0;
   for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
@@ -32,11 +50,12 @@ std::size_t lines_with(const std::string& text, const std::string& part) {
 class OnlineProgram : public ::testing::Test {
  protected:
   support::Scratch scratch_;
-  support::ServerProcess server_{BREAKSHOT_SERVER_PROGRAM, scratch_.path() / "data"};
+  std::optional<support::ServerProcess> server_{std::in_place, BREAKSHOT_SERVER_PROGRAM,
+                                                scratch_.path() / "data"};
 
   std::vector<std::string> line(std::vector<std::string> words) const {
     words.insert(words.begin(), BREAKSHOT_PROGRAM);
-    words.insert(words.end(), {"--server", "127.0.0.1:" + std::to_string(server_.port())});
+    words.insert(words.end(), {"--server", "127.0.0.1:" + std::to_string(server_->port())});
     return words;
   }
   std::map<std::string, std::string> home() const {
@@ -188,6 +207,44 @@ TEST_F(OnlineProgram, APlayerComesBackToTheSeat) {
   EXPECT_EQ(bob.wait().status, 0);
 }
 
+TEST_F(OnlineProgram, BotsGoOnThroughAServerThatIsKilled) {
+  const std::string port = std::to_string(server_->port());
+  const std::vector<std::string> thinking = {"--candidates", "200", "--error", "2"};
+  auto ann_line = line({"bot", "--new", "--name", "Ann", "--seed", "1"});
+  ann_line.insert(ann_line.end(), thinking.begin(), thinking.end());
+  Background ann(ann_line, home());
+  auto bob_line = line({"bot", match_listed("--open"), "--name", "Bob", "--seed", "2"});
+  bob_line.insert(bob_line.end(), thinking.begin(), thinking.end());
+  Background bob(bob_line, home());
+  for (const char* moment : {"\nshot 1 ", "\nshot 2 ", "\nshot 4 "}) {
+    await([&] { return has(ann.printed(), moment); });
+    server_->kill();
+    server_.emplace(BREAKSHOT_SERVER_PROGRAM, scratch_.path() / "data",
+                    std::vector<std::string>{"--port", port});
+  }
+  const Finished ann_done = ann.wait();
+  const Finished bob_done = bob.wait();
+  EXPECT_EQ(ann_done.status, 0) << ann_done.err;
+  EXPECT_EQ(bob_done.status, 0) << bob_done.err;
+  EXPECT_TRUE(has(ann_done.err, "connection lost")) << ann_done.err;
+  EXPECT_TRUE(has(ann_done.err, "connected again")) << ann_done.err;
+  // Nothing was told twice and nothing left out: both heard the same.
+  EXPECT_EQ(shots_in(ann_done.out), shots_in(bob_done.out));
+  const std::string out = (scratch_.path() / "m").string();
+  EXPECT_EQ(run({"export", match_listed("--finished"), "-o", out}).status, 0);
+  EXPECT_EQ(support::run({BREAKSHOT_PROGRAM, "verify", out}).status, 0);
+}
+
+TEST_F(OnlineProgram, ABotClaimsTheMatchOfWhoHasVanished) {
+  server_.emplace(BREAKSHOT_SERVER_PROGRAM, scratch_.path() / "other",
+                  std::vector<std::string>{"--claim-after", "1"});
+  Background ann(line({"play", "--new", "--name", "Ann"}), home(), "quit\n");
+  const Finished bob = run({"bot", match_listed("--open"), "--name", "Bob", "--candidates", "20"});
+  EXPECT_EQ(bob.status, 0) << bob.err;
+  EXPECT_TRUE(has(bob.out, "Ann is away.")) << bob.out;
+  EXPECT_TRUE(has(bob.out, "Bob wins the match")) << bob.out;
+}
+
 TEST_F(OnlineProgram, SaysWhatCannotBe) {
   const std::vector<std::pair<std::vector<std::string>, int>> wrong = {
       {{"watch"}, 2},
@@ -213,7 +270,7 @@ TEST_F(OnlineProgram, SaysWhatCannotBe) {
 }
 
 TEST_F(OnlineProgram, SaysWhereNoServerIs) {
-  server_.kill();
+  server_->kill();
   for (const char* command : {"list", "bot"}) {
     const Finished finished = run({command});
     EXPECT_EQ(finished.status, 1);

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -29,10 +30,13 @@ struct Disk {
 class ServerProcess {
  public:
   /// Starts `program` with its data in `data`, and waits until it listens. What it logs is appended
-  /// to `data`/log.
+  /// to `data`/log. Without a --port among the options it is any that is free.
   ServerProcess(const std::string& program, const std::filesystem::path& data,
                 const std::vector<std::string>& options = {}, const Disk& disk = {}) {
-    std::vector<std::string> words = {program, "--port", "0", "--data", data.string()};
+    std::vector<std::string> words = {program, "--data", data.string()};
+    if (std::find(options.begin(), options.end(), "--port") == options.end()) {
+      words.insert(words.end(), {"--port", "0"});
+    }
     words.insert(words.end(), options.begin(), options.end());
     std::filesystem::create_directories(data);
     const std::string log = (data / "log").string();
