@@ -40,5 +40,7 @@ function(breakshot_test_program room sources)
   add_executable(${room}_test ${sources})
   target_link_libraries(${room}_test PRIVATE breakshot_flags ${ARGN} GTest::gtest GTest::gtest_main)
   target_precompile_headers(${room}_test REUSE_FROM breakshot_test_headers)
-  gtest_discover_tests(${room}_test DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600 LABELS ${room})
+  gtest_discover_tests(${room}_test DISCOVERY_MODE PRE_TEST PROPERTIES
+    TIMEOUT 600 LABELS ${room}
+    ENVIRONMENT LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/leaks.supp:print_suppressions=0)
 endfunction()

@@ -90,10 +90,11 @@ void check_identity(const std::filesystem::path& file, Database& database) {
   }
 }
 
-void check_integrity(const std::filesystem::path& file, Database& database) {
+void check_integrity(const std::filesystem::path& file, Database& database,
+                     std::int64_t checked_bytes) {
   const std::int64_t size =
       database.number("PRAGMA page_count") * database.number("PRAGMA page_size");
-  if (size > checked_size_bytes) return;
+  if (size > checked_bytes) return;
   Statement check = database.prepare("PRAGMA quick_check(1)");
   const std::string found = check.step() ? check.text(0) : "no answer";
   if (found != "ok") {
@@ -124,7 +125,7 @@ Database open_to_write(const std::filesystem::path& file) {
   return database;
 }
 
-void prepare_file(const std::filesystem::path& file) {
+void prepare_file(const std::filesystem::path& file, std::int64_t checked_bytes) {
   create_file(file);
   try {
     Database database(file, Database::Access::read_write);
@@ -134,7 +135,7 @@ void prepare_file(const std::filesystem::path& file) {
     if (!empty) check_identity(file, database);
     make_durable(database);
     if (empty) create_tables(database);
-    check_integrity(file, database);
+    check_integrity(file, database, checked_bytes);
   } catch (const SqliteError& error) {
     refuse(file, std::string("cannot be used as the server's database: ") + error.what());
   }

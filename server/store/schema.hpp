@@ -17,9 +17,10 @@ inline constexpr std::int64_t schema_version = 1;
 /// larger ones damage shows when it is read.
 inline constexpr std::int64_t checked_size_bytes = 256LL * 1024 * 1024;
 
-/// Makes sure that the file is a database of this version, creating one if there is nothing yet.
-/// Throws StoreError.
-void prepare_file(const std::filesystem::path& file);
+/// Makes sure that the file is a database of this version, creating one if there is nothing yet,
+/// and that it is not damaged, unless it is larger than `checked_bytes`. Throws StoreError.
+void prepare_file(const std::filesystem::path& file,
+                  std::int64_t checked_bytes = checked_size_bytes);
 
 /// A connection that writes: a commit is on the medium when it returns.
 Database open_to_write(const std::filesystem::path& file);

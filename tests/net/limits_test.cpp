@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -203,6 +204,26 @@ TEST(Connections, AreAcceptedAgainAfterTheSystemHadNoDescriptorsLeft) {
   ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
   exchange.opened();
   exchange.hear<Asked>();
+}
+
+TEST(Connections, WaitInAShortLineUntilTheyAreAccepted) {
+  Limits limits = patient_limits();
+  limits.backlog = 2;
+  boost::asio::io_context context;  // not run yet: nobody is accepted
+  std::size_t opened = 0;
+  std::deque<LineClient> clients;
+  Switchboard board(context, "127.0.0.1", 0, limits, [&](const Heard& heard) {
+    if (std::holds_alternative<hub::Opened>(heard)) ++opened;
+    if (opened == clients.size()) context.stop();
+  });
+  std::size_t in_line = 0;
+  do {
+    clients.emplace_back();
+    if (!clients.back().connects(board.port(), milliseconds(100))) break;
+  } while (++in_line < 20);
+  EXPECT_LE(in_line, 3u) << "Linux lets one more wait than it is told";
+  context.run_for(patience);
+  EXPECT_EQ(opened, clients.size()) << "whoever found no place in the line has tried again";
 }
 
 TEST(Listening, SaysWhyItCannotBe) {

@@ -133,6 +133,52 @@ TEST(Talk, IsSlowedDownForWhoeverAsksTooFast) {
   EXPECT_GE(std::chrono::steady_clock::now() - before, 4 * limits.request_interval);
 }
 
+/// Says pings and is answered each of them, while hardly anything is read and written at a time.
+void talk_in_batches(const Limits& limits) {
+  constexpr std::uint32_t count = 1000;
+  Exchange exchange(limits);
+  LineClient client(exchange.port());
+  const hub::ConnectionId id = exchange.opened();
+  wire::ByteVector pings;
+  for (std::uint32_t i = 1; i <= count; ++i) {
+    const auto frame = wire::frame_of(lobby::Asked{lobby::RequestId{i}, lobby::Ping{}});
+    pings.insert(pings.end(), frame.begin(), frame.end());
+  }
+  client.send(pings);
+  for (std::uint32_t i = 1; i <= count; ++i) {
+    ASSERT_EQ(exchange.hear<Asked>().asked.id, lobby::RequestId{i});
+  }
+  exchange.order([&](Switchboard& board) {
+    for (std::uint32_t i = 1; i <= count; ++i) {
+      board.tell({id}, lobby::Told{lobby::RequestId{i}, lobby::Done{}});
+    }
+    board.report_drained(id);
+  });
+  for (std::uint32_t i = 1; i <= count; ++i) {
+    const auto told = client.hear();
+    ASSERT_TRUE(told);
+    ASSERT_EQ(told->id, lobby::RequestId{i});
+  }
+  EXPECT_EQ(exchange.hear<hub::Drained>().connection, id);
+}
+
+TEST(Talk, IsHeardAndToldInManyBatches) {
+  Limits limits = patient_limits();
+  limits.request_interval = std::chrono::microseconds(0);
+  limits.read_batch = 100;
+  {
+    SCOPED_TRACE("few bytes at a time");
+    limits.write_batch = 50;
+    talk_in_batches(limits);
+  }
+  {
+    SCOPED_TRACE("few frames at a time");
+    limits.write_batch = Limits{}.write_batch;
+    limits.write_batch_frames = 7;
+    talk_in_batches(limits);
+  }
+}
+
 TEST(Talk, EndsInClosedWhenTheOtherSideResets) {
   Exchange exchange;
   LineClient client(exchange.port());

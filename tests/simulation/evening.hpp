@@ -28,7 +28,8 @@ class Evening {
   void begin(const lobby::Create& create = {});
   /// One command of the player whose turn it is, until all three have its entry. `said` is called
   /// when it has been sent and not answered yet. The server may be lost at any moment: then
-  /// everybody comes back and the same command is sent again. False if the store cannot keep it.
+  /// everybody comes back and the same command is sent again. False if the store cannot keep it;
+  /// then it cannot when it is sent again either.
   bool step(const std::function<void()>& said = {});
   /// Plays on; after `commands` of them somebody concedes.
   void finish(int commands);

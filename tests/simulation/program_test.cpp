@@ -1,12 +1,16 @@
 // The server as a program: what it refuses, what it prints, how it ends.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
+#include <future>
 #include <string>
 #include <vector>
 
 #include "server/config.hpp"
+#include "server/shell/shell.hpp"
 #include "tests/support/line_client.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/server_process.hpp"
@@ -123,6 +127,22 @@ TEST(Program, StopsCleanlyOnEitherSignal) {
     client.close();
     EXPECT_EQ(server.wait(), 0);
   }
+}
+
+TEST(Program, StopsAlthoughClientsStay) {
+  const Scratch scratch;
+  shell::Settings settings;
+  settings.database = scratch.path() / "matches.db";
+  settings.net.close_deadline = std::chrono::milliseconds(50);
+  shell::Shell shell(settings);
+  const auto stopped = std::async(std::launch::async, [&] { shell.run(); });
+  support::LineClient stranger(shell.port());
+  support::LineClient guest(shell.port());
+  guest.say(lobby::Hello{1, "Ada", std::nullopt});
+  guest.hear_a<lobby::Welcome>();
+  ::kill(::getpid(), SIGTERM);
+  EXPECT_EQ(guest.hear_a<lobby::Goodbye>().reason, lobby::GoodbyeReason::stopping);
+  EXPECT_EQ(stopped.wait_for(support::patience), std::future_status::ready);
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ TEST(Opening, AVersionThatNeverWasIsRefused) {
   EXPECT_TRUE(says(refusal_of(shelf.file()), "never was"));
 }
 
-TEST(Opening, ADamagedFileIsRefused) {
-  SqliteShelf shelf;
+/// Fills a store with guests and overwrites part of them.
+void damage(SqliteShelf& shelf) {
   for (std::uint8_t i = 0; i < 200; ++i) {
     ASSERT_FALSE(shelf.put({ledger::PutGuest{{guest(i), "Ada"}}}));
   }
@@ -83,9 +83,21 @@ TEST(Opening, ADamagedFileIsRefused) {
   std::fstream file(shelf.file(), std::ios::in | std::ios::out | std::ios::binary);
   file.seekp(4096 + 8);
   file << std::string(3000, '\x55');
-  file.close();
+}
+
+TEST(Opening, ADamagedFileIsRefused) {
+  SqliteShelf shelf;
+  damage(shelf);
   EXPECT_TRUE(says(refusal_of(shelf.file()), "damaged") ||
               says(refusal_of(shelf.file()), "malformed"));
+}
+
+TEST(Opening, AFileIsSearchedForDamageUpToASize) {
+  SqliteShelf shelf;
+  damage(shelf);
+  const auto size = static_cast<std::int64_t>(std::filesystem::file_size(shelf.file()));
+  EXPECT_THROW(prepare_file(shelf.file(), size), StoreError);
+  EXPECT_NO_THROW(prepare_file(shelf.file(), size - 1));
 }
 
 TEST(Opening, AFolderThatThereIsNotIsNamed) {

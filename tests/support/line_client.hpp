@@ -6,6 +6,7 @@
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <array>
@@ -57,6 +58,15 @@ class LineClient {
   void connect(std::uint16_t port) {
     const sockaddr_in server = address("127.0.0.1", port);
     check(::connect(fd_, reinterpret_cast<const sockaddr*>(&server), sizeof server), "connect");
+  }
+  /// Whether the system connects in this time. It goes on trying if it does not.
+  bool connects(std::uint16_t port, std::chrono::microseconds within) {
+    const timeval limit{0, within.count()};
+    check(::setsockopt(fd_, SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit), "setsockopt");
+    const sockaddr_in server = address("127.0.0.1", port);
+    if (::connect(fd_, reinterpret_cast<const sockaddr*>(&server), sizeof server) == 0) return true;
+    if (errno != EINPROGRESS) check(-1, "connect");
+    return false;
   }
   void close() {
     if (fd_ >= 0) ::close(std::exchange(fd_, -1));
