@@ -93,15 +93,14 @@ const StoredShot& shot_of(const std::vector<StoredShot>& shots, std::uint32_t nu
                      exit_usage);
 }
 
-CueVector cue_vector_of(const StoredShot& shot) {
-  CueVector cue{{}, shot.command().direction, shot.command().speed_m_s};
+CueVector cue_vector_of(const record::Entry& entry) {
+  const auto& shoot = std::get<match::Shoot>(entry.command);
+  const auto& segments = entry.outcome.shot->segments;
   // The first segments of a shot are where the balls stood.
-  for (const physics::Segment& segment : shot.shot().segments) {
-    if (segment.ball != rules::cue_ball) continue;
-    cue.from = segment.position;
-    break;
-  }
-  return cue;
+  const auto first = std::find_if(segments.begin(), segments.end(),
+                                  [](const auto& s) { return s.ball == rules::cue_ball; });
+  const physics::Vec2 from = first == segments.end() ? physics::Vec2{} : first->position;
+  return {from, shoot.direction, shoot.speed_m_s};
 }
 
 void PocketedBalls::follow(const match::Outcome& outcome) {

@@ -42,8 +42,8 @@ std::vector<StoredShot> shots_of(const record::Record& record);
 /// The shot of that number. Throws CommandError, which says which there are, where there is none.
 const StoredShot& shot_of(const std::vector<StoredShot>& shots, std::uint32_t number);
 
-/// Where the cue ball stood and how it was struck.
-CueVector cue_vector_of(const StoredShot& shot);
+/// Where the cue ball stood at the start of an entry's shot and how it was struck.
+CueVector cue_vector_of(const record::Entry& entry);
 
 /// Follows which balls of a rack are down, entry by entry.
 class PocketedBalls {

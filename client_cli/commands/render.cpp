@@ -72,7 +72,7 @@ Picture picture_of(const StoredMatch& match, const Options& options) {
   picture.table = table_of(match.record.header.settings.scene);
   picture.balls = balls_at(picture.table, timeline, time_s);
   if (options.paths) picture.paths = paths_until(timeline, time_s);
-  if (options.cue) picture.cue = cue_vector_of(shot);
+  if (options.cue) picture.cue = cue_vector_of(*shot.entry);
   picture.velocities = options.velocities;
   if (!options.caption) return picture;
   const Names names = names_of(match.record.header);

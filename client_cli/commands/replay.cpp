@@ -80,7 +80,7 @@ int play(const record::Record& record, const Options& options, const Abilities& 
   while (next < shots.size()) {
     const StoredShot& shot = shots[next];
     playback.stay = options.shot || next + 1 == shots.size();
-    playback.cue = cue_vector_of(shot);
+    playback.cue = cue_vector_of(*shot.entry);
     playback.pocketed = shot.pocketed;
     playback.caption = command_text(shot.entry->author, shot.entry->command, shot.before, names);
     playback.lines = {place_text(shot, shots.size(), names)};

@@ -126,7 +126,13 @@ void Connection::hello() {
   lobby::Answer answer = ask_once(lobby::Hello{lobby::protocol_version, guest_.name, token_});
   const auto* refused = std::get_if<lobby::Refused>(&answer);
   if (refused != nullptr && refused->code == lobby::RefusalCode::unknown_token && token_) {
-    notice_("the server does not know " + guest_.name + " any more: a new guest of that name");
+    std::string what =
+        "the server does not know " + guest_.name + " any more: a new guest of that name";
+    if (guest_.store) {
+      what += "; the old token is kept in " +
+              guest_.store->set_aside(server_, guest_.name, *token_).string();
+    }
+    notice_(what);
     token_.reset();
     answer = ask_once(lobby::Hello{lobby::protocol_version, guest_.name, token_});
     refused = std::get_if<lobby::Refused>(&answer);

@@ -76,6 +76,21 @@ void write_all(int fd, std::string_view text, const fs::path& file) {
   }
 }
 
+/// Replaces the file in one step.
+void write_token(const fs::path& path, const lobby::Token& token) {
+  make_private_directories(path.parent_path());
+  // Another process may be saving at the same moment: each writes a file of its own.
+  const fs::path fresh = path.string() + ".new." + std::to_string(::getpid());
+  {
+    const File file(fresh, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
+    if (file.fd() < 0) fail(fresh, "write");
+    if (::fchmod(file.fd(), 0600) != 0) fail(fresh, "make private");
+    write_all(file.fd(), hash::hex_of(token) + '\n', fresh);
+    if (::fsync(file.fd()) != 0) fail(fresh, "write");
+  }
+  if (::rename(fresh.c_str(), path.c_str()) != 0) fail(path, "write");
+}
+
 const char* environment(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
@@ -121,18 +136,14 @@ std::optional<lobby::Token> TokenStore::load(const ServerAddress& server,
 
 void TokenStore::save(const ServerAddress& server, const std::string& name,
                       const lobby::Token& token) const {
-  const fs::path path = file_of(server, name);
-  make_private_directories(path.parent_path());
-  // Another process may be saving at the same moment: each writes a file of its own.
-  const fs::path fresh = path.string() + ".new." + std::to_string(::getpid());
-  {
-    const File file(fresh, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
-    if (file.fd() < 0) fail(fresh, "write");
-    if (::fchmod(file.fd(), 0600) != 0) fail(fresh, "make private");
-    write_all(file.fd(), hash::hex_of(token) + '\n', fresh);
-    if (::fsync(file.fd()) != 0) fail(fresh, "write");
-  }
-  if (::rename(fresh.c_str(), path.c_str()) != 0) fail(path, "write");
+  write_token(file_of(server, name), token);
+}
+
+fs::path TokenStore::set_aside(const ServerAddress& server, const std::string& name,
+                               const lobby::Token& token) const {
+  const fs::path path = file_of(server, name).string() + '~';
+  write_token(path, token);
+  return path;
 }
 
 std::array<std::uint8_t, 32> entropy() {

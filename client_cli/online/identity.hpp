@@ -29,6 +29,12 @@ class TokenStore {
   /// Replaces the guest's token in one step, so that a crash leaves the old one or the new one.
   void save(const ServerAddress& server, const std::string& name, const lobby::Token& token) const;
 
+  /// Writes a token that its server no longer knows beside the guest's, as <name>~, which is no
+  /// file of any guest, and returns that file: the server may only have been started with other
+  /// data.
+  std::filesystem::path set_aside(const ServerAddress& server, const std::string& name,
+                                  const lobby::Token& token) const;
+
   /// <directory>/tokens/<server>/<name>, with ASCII that is unfit for file names as
   /// %XX: the longest name is 128 bytes and stays below the 255 of a file name.
   std::filesystem::path file_of(const ServerAddress& server, const std::string& name) const;

@@ -1,18 +1,8 @@
 #include "client_cli/online/shot_viewer.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace breakshot::client {
-
-CueVector cue_vector_of(const record::Entry& entry) {
-  const auto& shoot = std::get<match::Shoot>(entry.command);
-  const auto& segments = entry.outcome.shot->segments;
-  const auto first = std::find_if(segments.begin(), segments.end(),
-                                  [](const auto& s) { return s.ball == rules::cue_ball; });
-  const physics::Vec2 from = first == segments.end() ? physics::Vec2{} : first->position;
-  return {from, shoot.direction, shoot.speed_m_s};
-}
 
 PlaybackKey ShotViewer::show(Terminal& terminal, const MatchView& view, const record::Entry& entry,
                              const std::function<bool()>& each_frame) {

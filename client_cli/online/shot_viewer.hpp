@@ -14,9 +14,6 @@
 
 namespace breakshot::client {
 
-/// Where the cue ball stood at the start of an entry's shot and how it was struck.
-CueVector cue_vector_of(const record::Entry& entry);
-
 class ShotViewer {
  public:
   explicit ShotViewer(double speed) { wishes_.speed = speed; }

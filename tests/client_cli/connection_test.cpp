@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -144,6 +145,10 @@ TEST(Connection, BecomesANewGuestWhereTheServerKnowsTheTokenNoMore) {
   EXPECT_EQ(store.load(at(server.port()), "Ann"), OneMatchServer::token);
   ASSERT_EQ(notices.size(), 1u);
   EXPECT_NE(notices[0].find("Ann"), std::string::npos);
+  // The old token is not lost, and the notice says where it is.
+  const std::string aside = store.file_of(at(server.port()), "Ann").string() + '~';
+  EXPECT_NE(notices[0].find(aside), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(aside));
 }
 
 /// What the CommandError says with which `act` ends.

@@ -85,6 +85,20 @@ TEST(Identity, KeepsTheOldTokenWhereTheNewOneCannotBeWritten) {
   EXPECT_EQ(store.load(server, "Ann"), token_of(1));
 }
 
+TEST(Identity, SetsATokenAsideWhereNoGuestLooks) {
+  const support::Scratch scratch;
+  const TokenStore store(scratch.path());
+  store.save(server, "Ann", token_of(1));
+  const fs::path aside = store.set_aside(server, "Ann", token_of(1));
+  store.save(server, "Ann", token_of(2));
+  EXPECT_EQ(store.load(server, "Ann"), token_of(2));
+  EXPECT_EQ(store.load(server, "Ann~"), std::nullopt);
+  EXPECT_EQ(mode_of(aside), 0600u);
+  // Its owner takes it back by giving it the guest's name again.
+  fs::rename(aside, store.file_of(server, "Ann"));
+  EXPECT_EQ(store.load(server, "Ann"), token_of(1));
+}
+
 TEST(Identity, ADamagedFileIsNamedAndLeftAlone) {
   const support::Scratch scratch;
   const TokenStore store(scratch.path());

@@ -42,7 +42,7 @@ TEST(StoredMatch, KnowsTheBallsThatWereDownBeforeEachShot) {
 
 TEST(StoredMatch, TheCueVectorStartsAtTheCueBall) {
   const StoredShot first = shots_of(played()).front();
-  const CueVector cue = cue_vector_of(first);
+  const CueVector cue = cue_vector_of(*first.entry);
   EXPECT_EQ(cue.from, physics::Timeline(first.shot()).state(rules::cue_ball, 0).position);
   EXPECT_EQ(cue.direction, first.command().direction);
   EXPECT_EQ(cue.speed_m_s, first.command().speed_m_s);
