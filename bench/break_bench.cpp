@@ -98,12 +98,12 @@ class Recorder {
 
 /// What the calendar does for one pair.
 double answer(const Query& query, const physics::PairDetector<double>& detector) {
-  physics::Body<double> a;
-  physics::Body<double> b;
-  a.follow(query.a, query.now_s);
-  b.follow(query.b, query.now_s);
-  return detector.stay_apart(a, b, query.span_s) ? physics::never<double>
-                                                 : detector.time(query.a, query.b);
+  const physics::Segment& a = query.a.segment;
+  const physics::Segment& b = query.b.segment;
+  const physics::Vec2 d = position_at(b, query.now_s) - position_at(a, query.now_s);
+  const physics::Vec2 w = velocity_at(b, query.now_s) - velocity_at(a, query.now_s);
+  const double apart = detector.separation(d, w, b.acceleration - a.acceleration, query.span_s);
+  return apart > 0 ? physics::never<double> : detector.time(query.a, query.b);
 }
 
 /// The median over recorded queries of the time that one takes, each asked many times in a row.

@@ -38,6 +38,11 @@ struct BallKind {
 /// The motion a ball is in. The order is that of the record and must not change.
 enum class Phase : std::uint8_t { rest, slide, roll, spin, pocketed };
 
+/// Whether the ball stays where it is, whatever time passes.
+constexpr bool is_still(Phase phase) {
+  return phase == Phase::rest || phase == Phase::pocketed;
+}
+
 /// A ball before a shot: where its centre is, and how it moves (usually not at all).
 struct Ball {
   BallId id{};

@@ -1,4 +1,4 @@
-// A ball as it is at one instant: what contacts act on and what predictions start from.
+// A ball as it is at the instant of a contact: what contacts act on.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,9 @@ struct Body {
   BallId id{};
   std::uint32_t collisions = 0;  ///< of this shot so far: the counter of its random stream
   bool present = true;           ///< on the table
-  bool rests = true;
+  std::uint64_t instant = 0;     ///< for which position and velocity were last read from the path
   BasicVec2<Real> position;
   BasicVec2<Real> velocity;
-  BasicVec2<Real> acceleration;
-
-  /// Moves the body to where its path is at `time_s`.
-  void follow(const Path<Real>& path, Real time_s) {
-    const BasicSegment<Real>& s = path.segment;
-    rests = s.phase == Phase::rest || s.phase == Phase::pocketed;
-    position = position_at(s, time_s);
-    velocity = velocity_at(s, time_s);
-    acceleration = s.acceleration;
-  }
 };
 
 }  // namespace breakshot::physics

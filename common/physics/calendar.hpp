@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/physics/pair_detector.hpp"
+#include "common/physics/field.hpp"
 
 namespace breakshot::physics {
 
@@ -27,98 +27,123 @@ class TableCalendar {
   TableCalendar(const Laws<Real>& laws, Real top_speed, std::size_t balls)
       : laws_(laws),
         top_speed_(top_speed),
-        pairs_(laws.diameter),
+        field_(balls, laws.diameter),
         paths_(balls),
-        next_(balls),
         own_(balls),
+        next_(balls),
         fresh_(balls) {}
 
   const Path<Real>& path(std::size_t ball) const { return paths_[ball]; }
-  const Appointment<Real>& next(std::size_t ball) const { return next_[ball]; }
   /// Faster than any ball can become, m/s.
   Real top_speed() const { return top_speed_; }
 
-  /// Gives a ball a new path. update() must follow before next() is asked again.
-  void set(std::size_t ball, const Path<Real>& path) {
+  /// The earliest event of all, or never.
+  Real earliest() const { return field_.earliest(); }
+
+  /// Whether any ball moves.
+  bool moving() const { return moving_ > 0; }
+
+  /// Goes on to `time_s`. All that is asked from now on is asked of that instant.
+  void move_to(Real time_s) { field_.move_to(time_s); }
+
+  /// Calls `due(ball, appointment)` for every ball whose next event is at `time_s`.
+  template <class OnDue>
+  void each_due(Real time_s, const OnDue& due) const {
+    field_.each_due(time_s,
+                    [&](std::size_t ball) { due(static_cast<std::uint32_t>(ball), next_[ball]); });
+  }
+
+  /// Calls `near(other)` for every other ball whose centre is within `reach` of that of `ball`.
+  template <class OnNear>
+  void each_near(std::uint32_t ball, Real reach, const OnNear& near) {
+    field_.each_within(ball, reach,
+                       [&near](std::size_t other) { near(static_cast<std::uint32_t>(other)); });
+  }
+
+  /// Gives a ball a new path, which starts at this instant. update() must follow before anything is
+  /// asked again.
+  void set(std::uint32_t ball, const Path<Real>& path) {
+    moving_ = moving_ + !is_still(path.segment.phase) - !is_still(paths_[ball].segment.phase);
     paths_[ball] = path;
+    field_.set(ball, path);
     if (fresh_[ball] == Freshness::known) changed_.push_back(ball);
     fresh_[ball] = Freshness::changed;
   }
 
-  /// Predicts anew for the balls that changed at `now_s`, and for those that had an appointment
-  /// with one of them. `bodies` are all balls at that instant.
-  void update(const std::vector<Body<Real>>& bodies, Real now_s) {
-    for (std::size_t i = 0; i < next_.size(); ++i) {
-      if (next_[i].due != Due::ball || fresh_[i] != Freshness::known) continue;
-      if (fresh_[next_[i].with] != Freshness::known) stale_.push_back(i);
+  /// Predicts anew for the balls that changed at this instant, and for those that had an
+  /// appointment with one of them.
+  void update() {
+    const std::size_t changed = changed_.size();
+    std::uint32_t ball = 0;
+    for (const Appointment<Real>& next : next_) {
+      if (next.due == Due::ball && fresh_[next.with] != Freshness::known &&
+          fresh_[ball] == Freshness::known) {
+        changed_.push_back(ball);
+      }
+      ++ball;
     }
-    for (const std::size_t i : changed_) {
-      own_[i] = own_event(bodies[i], paths_[i]);
-      next_[i] = own_[i];
-    }
-    for (const std::size_t i : stale_) next_[i] = own_[i];
+    for (std::size_t k = 0; k < changed; ++k) own_[changed_[k]] = own_event(paths_[changed_[k]]);
+    for (const std::uint32_t i : changed_) meet_first(i, own_[i]);
     if (laws_.ball_ball) {
-      for (const std::size_t i : changed_) meet_all(bodies, i, now_s);
-      for (const std::size_t i : stale_) meet_all(bodies, i, now_s);
+      // A ball at rest has only those to meet that move and have not met it already.
+      std::size_t unmet = moving_;
+      for (const std::uint32_t i : changed_) {
+        if (is_still(paths_[i].segment.phase)) continue;
+        meet_all(i);
+        --unmet;
+      }
+      for (const std::uint32_t i : changed_) {
+        if (unmet > 0 && paths_[i].segment.phase == Phase::rest) meet_all(i);
+      }
     }
-    for (const std::size_t i : changed_) fresh_[i] = Freshness::known;
-    for (const std::size_t i : stale_) fresh_[i] = Freshness::known;
+    for (const std::uint32_t i : changed_) fresh_[i] = Freshness::known;
     changed_.clear();
-    stale_.clear();
-  }
-
-  /// The earliest event of all, or never.
-  Real earliest() const {
-    Real time = never<Real>;
-    for (const Appointment<Real>& appointment : next_) {
-      time = appointment.time_s < time ? appointment.time_s : time;
-    }
-    return time;
   }
 
  private:
-  Appointment<Real> own_event(const Body<Real>& body, const Path<Real>& path) const {
+  Appointment<Real> own_event(const Path<Real>& path) const {
     Appointment<Real> first;
-    if (body.rests) return first;
+    if (is_still(path.segment.phase)) return first;
     if (path.end_s < never<Real>) first = {path.end_s, Due::phase_end, 0};
-    for (std::size_t nose = 0; nose < laws_.noses.size(); ++nose) {
-      const Real t = cushion_time(path, laws_.noses[nose], laws_.radius, top_speed_);
-      if (t < first.time_s) first = {t, Due::cushion, static_cast<std::uint32_t>(nose)};
+    std::uint32_t number = 0;
+    for (const Nose<Real>& nose : laws_.noses) {
+      const Real t = cushion_time(path, nose, laws_.radius, top_speed_, first.time_s);
+      if (t < first.time_s) first = {t, Due::cushion, number};
+      ++number;
     }
     return first;
   }
 
-  void meet_all(const std::vector<Body<Real>>& bodies, std::size_t i, Real now_s) {
-    const Body<Real> body = bodies[i];
-    if (!body.present) return;
-    const std::size_t balls = bodies.size();
-    for (std::size_t j = 0; j < balls; ++j) {
-      const Body<Real>& other = bodies[j];
-      if ((body.rests && other.rests) || fresh_[j] == Freshness::met || j == i) continue;
-      const Real until = next_[i].time_s < next_[j].time_s ? next_[i].time_s : next_[j].time_s;
-      if (pairs_.stay_apart(body, other, until - now_s) || !other.present) continue;
-      meet(i, j);
-    }
-    fresh_[i] = Freshness::met;
+  void meet_first(std::uint32_t ball, const Appointment<Real>& appointment) {
+    next_[ball] = appointment;
+    field_.set_until(ball, appointment.time_s);
   }
 
-  void meet(std::size_t i, std::size_t j) {
-    const Real t = pairs_.time(paths_[std::min(i, j)], paths_[std::max(i, j)]);
-    if (t < next_[i].time_s) next_[i] = {t, Due::ball, static_cast<std::uint32_t>(j)};
-    if (t < next_[j].time_s) next_[j] = {t, Due::ball, static_cast<std::uint32_t>(i)};
+  void meet_all(std::uint32_t i) {
+    const bool still = is_still(paths_[i].segment.phase);
+    fresh_[i] = Freshness::met;
+    field_.each_that_may_meet(i, [&](std::size_t other) {
+      const auto j = static_cast<std::uint32_t>(other);
+      const Phase phase = paths_[j].segment.phase;
+      if (fresh_[j] == Freshness::met || phase == Phase::pocketed) return;
+      if (still && phase == Phase::rest) return;
+      const Real t = field_.detector().time(paths_[std::min(i, j)], paths_[std::max(i, j)]);
+      if (t < field_.until(i)) meet_first(i, {t, Due::ball, j});
+      if (t < field_.until(j)) meet_first(j, {t, Due::ball, i});
+    });
   }
 
   enum class Freshness : std::uint8_t { known, changed, met };
 
   const Laws<Real>& laws_;
   Real top_speed_;
-  PairDetector<Real> pairs_;
+  Field<Real> field_;
   std::vector<Path<Real>> paths_;
+  std::vector<Appointment<Real>> own_;  ///< the next event that takes no other ball
   std::vector<Appointment<Real>> next_;
-  std::vector<Appointment<Real>> own_;
   std::vector<Freshness> fresh_;
-  std::vector<std::size_t> changed_;
-  std::vector<std::size_t> stale_;
+  std::size_t moving_ = 0;              ///< balls
+  std::vector<std::uint32_t> changed_;  ///< by a new path; then those whose partner did
 };
 
 }  // namespace breakshot::physics

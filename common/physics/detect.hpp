@@ -21,6 +21,11 @@ constexpr Real larger(Real a, Real b) {
 }
 
 template <class Real>
+constexpr Real smaller(Real a, Real b) {
+  return b < a ? b : a;
+}
+
+template <class Real>
 constexpr Real largest_coordinate(BasicVec2<Real> a) {
   return larger(magnitude(a.x), magnitude(a.y));
 }
@@ -169,16 +174,20 @@ Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter) {
   return t <= horizon ? e.start_s + t : never<Real>;
 }
 
-/// When the ball of a path next meets a nose, or never. The ball's surface meets the cushion: its
-/// centre meets the line a radius inward, within the cushion's extent.
+/// When the ball of a path next meets a nose, or never if that is not before `until_s`. The ball's
+/// surface meets the cushion: its centre meets the line a radius inward, within the cushion's
+/// extent.
 template <class Real>
-Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, Real top_speed) {
+Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, Real top_speed,
+                  Real until_s) {
   using std::sqrt;
   const BasicSegment<Real>& s = path.segment;
   const BasicVec2<Real> offset = s.position - nose.from;
   const Real gap = dot(offset, nose.inward) - radius;
   const Real towards = -dot(s.velocity, nose.inward);
   const Real pull = -dot(s.acceleration, nose.inward);
+  // What slows down covers no more than its first speed does; a thousandth is for rounding.
+  if (pull <= 0 && Real(1.001) * towards * (until_s - s.start_s) < gap) return never<Real>;
   if (towards <= 0 && pull <= 0) return never<Real>;
   const auto within = [&](Real t) {
     const Real foot =

@@ -52,6 +52,14 @@ class ContactSet {
     pass_ = first_pass;
   }
 
+  /// Whether the contact of two balls is known already.
+  bool has(std::uint32_t a, std::uint32_t b) const {
+    for (const Contact<Real>& known : contacts_) {
+      if (!known.cushion && known.a == smaller(a, b) && known.b == larger(a, b)) return true;
+    }
+    return false;
+  }
+
   void add_balls(const std::vector<Body<Real>>& bodies, std::uint32_t a, std::uint32_t b,
                  bool predicted) {
     if (a > b) std::swap(a, b);

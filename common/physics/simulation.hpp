@@ -43,7 +43,7 @@ class BasicSimulation {
     while (progress_ == Progress::paused) {
       const Real next = calendar_.earliest();
       if (next > horizon || next == never<Real>) {
-        if (time_s < horizon && (moving() || next < never<Real>)) return progress_;
+        if (time_s < horizon && (calendar_.moving() || next < never<Real>)) return progress_;
         finish(horizon);
       } else if (next > time_s) {
         return progress_;
@@ -105,22 +105,27 @@ class BasicSimulation {
       const Path<Real> path = laws_.path_from(balls[i].id, Real(0), position, velocity);
       Body<Real> body;
       body.id = balls[i].id;
-      body.follow(path, Real(0));
       bodies_.push_back(body);
-      calendar_.set(i, path);
+      calendar_.set(static_cast<std::uint32_t>(i), path);
       shot_.segments.push_back(path.segment);
     }
-    calendar_.update(bodies_, Real(0));
+    calendar_.update();
   }
 
-  bool moving() const {
-    return std::any_of(bodies_.begin(), bodies_.end(),
-                       [](const Body<Real>& body) { return !body.rests; });
+  /// The ball as it is now.
+  Body<Real>& at_hand(std::uint32_t ball) {
+    Body<Real>& body = bodies_[ball];
+    if (body.instant != instant_) {
+      body.instant = instant_;
+      body.position = position_at(calendar_.path(ball).segment, now_s_);
+      body.velocity = velocity_at(calendar_.path(ball).segment, now_s_);
+    }
+    return body;
   }
 
   void finish(Real horizon) {
     progress_ = Progress::finished;
-    const bool still = !moving();
+    const bool still = !calendar_.moving();
     shot_.stop = still ? Stop::rest : Stop::horizon;
     shot_.end_s = still ? now_s_ : horizon;
   }
@@ -135,9 +140,9 @@ class BasicSimulation {
   /// Everything that happens at one instant: phases that end, then contacts as a set, then pockets.
   void process(Real time_s) {
     begin_instant(time_s);
-    for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
-      if (calendar_.next(i).time_s == time_s) take_up(i);
-    }
+    calendar_.each_due(time_s, [this](std::uint32_t ball, const Appointment<Real>& appointment) {
+      take_up(ball, appointment);
+    });
     const bool peace =
         contacts_.settle(bodies_, time_s, [this](std::uint32_t ball) { add_touching(ball); });
     for (const BasicEvent<Real>& event : contacts_.events()) shot_.events.push_back(event);
@@ -160,19 +165,19 @@ class BasicSimulation {
       first_segment_ = time_s == 0 ? 0 : shot_.segments.size();
     }
     now_s_ = time_s;
+    ++instant_;
+    calendar_.move_to(time_s);
     contacts_.begin(again ? contacts_.next_pass() : 0);
     touched_.clear();
     ended_.clear();
     mouths_.clear();
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (!bodies_[i].rests) bodies_[i].follow(calendar_.path(i), time_s);
-    }
   }
 
   /// An appointment has come.
-  void take_up(std::uint32_t ball) {
-    const Appointment<Real>& appointment = calendar_.next(ball);
+  void take_up(std::uint32_t ball, const Appointment<Real>& appointment) {
+    at_hand(ball);
     if (appointment.due == Due::ball) {
+      at_hand(appointment.with);
       contacts_.add_balls(bodies_, ball, appointment.with, true);
     } else if (appointment.due == Due::cushion) {
       meet_nose(ball, appointment.with, true);
@@ -211,20 +216,18 @@ class BasicSimulation {
     const Real doubt = touch_gap_bound(2 * coordinate, 2 * calendar_.top_speed(), now_s_);
     const Real reach = laws_.diameter + 2 * doubt;
     if (laws_.ball_ball) {
-      for (std::uint32_t other = 0; other < bodies_.size(); ++other) {
-        const Vec between = bodies_[other].position - body.position;
-        if (dot(between, between) > reach * reach || other == ball) continue;
-        if (bodies_[other].present && balls_touch(body, bodies_[other])) {
+      calendar_.each_near(ball, reach, [&](std::uint32_t other) {
+        if (contacts_.has(ball, other) || !bodies_[other].present) return;
+        if (balls_touch(body, at_hand(other))) {
           contacts_.add_balls(bodies_, ball, other, false);
         }
-      }
+      });
     }
-    for (std::uint32_t nose = 0; nose < laws_.noses.size(); ++nose) {
-      const Vec offset = body.position - laws_.noses[nose].from;
-      const Real gap = dot(offset, laws_.noses[nose].inward) - laws_.radius;
-      if (gap <= doubt && nose_touches(body, laws_.noses[nose], gap)) {
-        meet_nose(ball, nose, false);
-      }
+    std::uint32_t number = 0;
+    for (const Nose<Real>& nose : laws_.noses) {
+      const Real gap = dot(body.position - nose.from, nose.inward) - laws_.radius;
+      if (gap <= doubt && nose_touches(body, nose, gap)) meet_nose(ball, number, false);
+      ++number;
     }
   }
 
@@ -269,10 +272,9 @@ class BasicSimulation {
     for (const std::uint32_t ball : touched_) {
       const Path<Real> path = path_of(ball);
       calendar_.set(ball, path);
-      bodies_[ball].follow(path, now_s_);
       write(path.segment);
     }
-    calendar_.update(bodies_, now_s_);
+    calendar_.update();
     std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_), shot_.events.end(),
               comes_before<Real>);
     std::sort(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_),
@@ -318,6 +320,7 @@ class BasicSimulation {
   BasicShot<Real> shot_;
   Progress progress_ = Progress::paused;
   Real now_s_{};
+  std::uint64_t instant_ = 0;  ///< counts the sets
   // Of the present instant.
   std::uint32_t sets_here_ = 0;
   std::size_t first_event_ = 0;

@@ -150,9 +150,10 @@ TEST(CushionContact, MeetsTheLineARadiusInward) {
   const Scene scene = table(Frictionless{}, Mirror{}, Elastic{});
   const Laws<double> laws(scene);
   const Path<double> ball = path({0, 0}, {2, 0}, scene);
-  EXPECT_NEAR(cushion_time(ball, laws.noses[0], radius, 2.0), (1.1684 - radius) / 2, 1e-15);
-  EXPECT_EQ(cushion_time(ball, laws.noses[1], radius, 2.0), never<double>);
-  EXPECT_EQ(cushion_time(ball, laws.noses[2], radius, 2.0), never<double>);
+  EXPECT_NEAR(cushion_time(ball, laws.noses[0], radius, 2.0, never<double>), (1.1684 - radius) / 2,
+              1e-15);
+  EXPECT_EQ(cushion_time(ball, laws.noses[1], radius, 2.0, never<double>), never<double>);
+  EXPECT_EQ(cushion_time(ball, laws.noses[2], radius, 2.0, never<double>), never<double>);
 }
 
 TEST(CushionContact, OfADeceleratingBallHasItsClosedForm) {
@@ -161,11 +162,12 @@ TEST(CushionContact, OfADeceleratingBallHasItsClosedForm) {
   const double a = 0.2 * 9.81;
   const double gap = 0.5842 - radius;
   const Path<double> ball = path({0, 0}, {0, 3}, scene);
-  EXPECT_NEAR(cushion_time(ball, laws.noses[1], radius, 3.0), (3 - std::sqrt(9 - 2 * a * gap)) / a,
-              1e-15);
+  EXPECT_NEAR(cushion_time(ball, laws.noses[1], radius, 3.0, never<double>),
+              (3 - std::sqrt(9 - 2 * a * gap)) / a, 1e-15);
   const double just_short = std::sqrt(2 * a * gap) * (1 - 1e-14);
-  EXPECT_EQ(cushion_time(path({0, 0}, {0, just_short}, scene), laws.noses[1], radius, 3.0),
-            never<double>);
+  EXPECT_EQ(
+      cushion_time(path({0, 0}, {0, just_short}, scene), laws.noses[1], radius, 3.0, never<double>),
+      never<double>);
 }
 
 TEST(CushionContact, EndsWithTheExtentOfTheCushion) {
@@ -173,15 +175,16 @@ TEST(CushionContact, EndsWithTheExtentOfTheCushion) {
   scene.cushions = FreeCushions{{{{0, 1}, {-1, 1}, Mirror{}}}};
   const Laws<double> laws(scene);
   const auto time = [&](double x) {
-    return cushion_time(path({x, 0}, {0, 1}, scene), laws.noses[0], radius, 1.0);
+    return cushion_time(path({x, 0}, {0, 1}, scene), laws.noses[0], radius, 1.0, never<double>);
   };
   EXPECT_EQ(time(1e-9), never<double>);
   EXPECT_NEAR(time(0), 1 - radius, 1e-15);
   EXPECT_NEAR(time(-1), 1 - radius, 1e-15);
   EXPECT_EQ(time(-1 - 1e-9), never<double>);
   // From behind, the cushion is not there.
-  EXPECT_EQ(cushion_time(path({-0.5, 2}, {0, -1}, scene), laws.noses[0], radius, 1.0),
-            never<double>);
+  EXPECT_EQ(
+      cushion_time(path({-0.5, 2}, {0, -1}, scene), laws.noses[0], radius, 1.0, never<double>),
+      never<double>);
 }
 
 }  // namespace
