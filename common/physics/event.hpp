@@ -57,6 +57,14 @@ struct BasicRolls {
   friend bool operator==(const BasicRolls&, const BasicRolls&) = default;
 };
 
+/// A ball that spins in place from here on.
+template <class Real>
+struct BasicSpins {
+  Real time_s{};
+  BallId ball{};
+  friend bool operator==(const BasicSpins&, const BasicSpins&) = default;
+};
+
 template <class Real>
 struct BasicRests {
   Real time_s{};
@@ -66,14 +74,16 @@ struct BasicRests {
 
 /// The alternatives stand in the order of their rank, which orders events of one instant and pass.
 template <class Real>
-using BasicEvent = std::variant<BasicStruck<Real>, BasicBallBall<Real>, BasicBallCushion<Real>,
-                                BasicBallPocket<Real>, BasicRolls<Real>, BasicRests<Real>>;
+using BasicEvent =
+    std::variant<BasicStruck<Real>, BasicBallBall<Real>, BasicBallCushion<Real>,
+                 BasicBallPocket<Real>, BasicRolls<Real>, BasicSpins<Real>, BasicRests<Real>>;
 
 using Struck = BasicStruck<double>;
 using BallBall = BasicBallBall<double>;
 using BallCushion = BasicBallCushion<double>;
 using BallPocket = BasicBallPocket<double>;
 using Rolls = BasicRolls<double>;
+using Spins = BasicSpins<double>;
 using Rests = BasicRests<double>;
 using Event = BasicEvent<double>;
 

@@ -1,4 +1,5 @@
 // Closed-form motion between two events: p(t) = p0 + v0 t + a t^2 / 2 with a constant acceleration.
+// Spin changes evenly as well, but the part about the vertical axis stops at zero.
 #pragma once
 
 #include "common/physics/ball.hpp"
@@ -15,6 +16,8 @@ struct BasicSegment {
   BasicVec2<Real> position;      ///< at start, m
   BasicVec2<Real> velocity;      ///< at start, m/s
   BasicVec2<Real> acceleration;  ///< constant, m/s^2
+  BasicVec3<Real> spin;          ///< at start, rad/s; zero in motions without spin
+  BasicVec3<Real> spin_change;   ///< constant, rad/s^2; z is against spin.z
 
   friend bool operator==(const BasicSegment&, const BasicSegment&) = default;
 };
@@ -30,6 +33,14 @@ BasicVec2<Real> position_at(const BasicSegment<Real>& s, Real time_s) {
 template <class Real>
 BasicVec2<Real> velocity_at(const BasicSegment<Real>& s, Real time_s) {
   return s.velocity + s.acceleration * (time_s - s.start_s);
+}
+
+template <class Real>
+BasicVec3<Real> spin_at(const BasicSegment<Real>& s, Real time_s) {
+  const Real dt = time_s - s.start_s;
+  const Real z = s.spin.z + s.spin_change.z * dt;
+  const bool over = (s.spin.z < 0) != (z < 0);
+  return {s.spin.x + s.spin_change.x * dt, s.spin.y + s.spin_change.y * dt, over ? Real(0) : z};
 }
 
 }  // namespace breakshot::physics

@@ -27,6 +27,13 @@ struct BasicVec3 {
   Real y{};
   Real z{};
 
+  friend constexpr BasicVec3 operator+(BasicVec3 a, BasicVec3 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend constexpr BasicVec3 operator-(BasicVec3 a, BasicVec3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend constexpr BasicVec3 operator*(BasicVec3 a, Real s) { return {a.x * s, a.y * s, a.z * s}; }
   friend constexpr bool operator==(const BasicVec3&, const BasicVec3&) = default;
 };
 
@@ -36,6 +43,16 @@ using Vec3 = BasicVec3<double>;
 template <class Real>
 constexpr Real dot(BasicVec2<Real> a, BasicVec2<Real> b) {
   return a.x * b.x + a.y * b.y;
+}
+
+template <class Real>
+constexpr Real dot(BasicVec3<Real> a, BasicVec3<Real> b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class Real>
+constexpr BasicVec3<Real> cross(BasicVec3<Real> a, BasicVec3<Real> b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// The z component of the cross product: positive where b lies to the left of a.
