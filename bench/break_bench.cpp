@@ -48,7 +48,7 @@ struct Query {
 };
 
 physics::Path<double> path_of(const physics::Laws<double>& laws, const physics::Segment& s) {
-  physics::Path<double> path = laws.path_from(s.ball, s.start_s, s.position, s.velocity);
+  physics::Path<double> path = laws.cloth.path_from(s.ball, s.start_s, s.position, {s.velocity, s.spin});
   path.segment = s;
   return path;
 }

@@ -54,7 +54,8 @@ class Auditor {
     double sum = 0;
     for (const Segment& segment : now_) {
       const Vec2 velocity = velocity_at(segment, time_s);
-      sum += dot(velocity, velocity);
+      const Vec3 spin = spin_at(segment, time_s);
+      sum += dot(velocity, velocity) + 0.4 * laws_.radius * laws_.radius * dot(spin, spin);
     }
     return scene_.ball.mass_kg / 2 * sum;
   }
@@ -64,6 +65,7 @@ class Auditor {
   double allowed(double time_s, const std::vector<Segment>& before) {
     double sum = 0;
     for (; event_ < shot_.events.size() && time_of(shot_.events[event_]) == time_s; ++event_) {
+      if (std::holds_alternative<BallCushion>(shot_.events[event_])) sum += allowed_at_cushion();
       const auto* contact = std::get_if<BallBall>(&shot_.events[event_]);
       if (contact == nullptr || !laws_.ball_ball) continue;
       const Segment& a = before[index_of(contact->lower)];
@@ -71,11 +73,21 @@ class Auditor {
       const Vec2 between = position_at(b, time_s) - position_at(a, time_s);
       const Vec2 velocity = velocity_at(b, time_s) - velocity_at(a, time_s);
       const double approach = -dot(between, velocity) / length(between);
-      const double apart = laws_.ball_ball->elastic_below_m_s;
+      const double apart = laws_.ball_ball->bounce.elastic_below_m_s;
       if (contact->pass == 0 && approach > resting_share * apart) continue;
       sum += scene_.ball.mass_kg * apart * apart / 4;
     }
     return sum;
+  }
+
+  /// A spinning ball may rest against a cushion that it pushes.
+  double allowed_at_cushion() const {
+    if (!laws_.cloth.spins()) return 0;
+    double apart = 0;
+    for (const NoseResponse<double>& nose : laws_.responses) {
+      apart = std::max(apart, nose.bounce.elastic_below_m_s);
+    }
+    return scene_.ball.mass_kg * apart * apart / 2;
   }
 
   void check_overlaps(double time_s) {
@@ -94,17 +106,19 @@ class Auditor {
     }
   }
 
-  /// Inside a rectangle no cushion line may be passed; a free cushion only counts where the ball's
-  /// centre is in front of it.
+  /// Inside a rectangle no cushion line may be passed; any other cushion only counts where the
+  /// ball's centre is in front of it.
   void check_cushions(Vec2 place) {
-    const bool enclosed =
-        scene_.cushions && std::holds_alternative<RectangleCushions>(*scene_.cushions);
+    const bool enclosed = laws_.inside && laws_.drops.empty();
     for (const Nose<double>& nose : laws_.noses) {
       const Vec2 offset = place - nose.from;
       const double distance = dot(offset, nose.inward);
       const double foot = dot(offset, nose.along);
       const bool in_front = distance >= 0 && foot >= 0 && foot <= nose.extent;
       if (enclosed || in_front) deepen(laws_.radius - distance);
+    }
+    for (const Arc<double>& arc : laws_.arcs) {
+      if (faces(arc, place)) deepen(arc.distance - length(place - arc.centre.segment.position));
     }
   }
 

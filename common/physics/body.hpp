@@ -8,13 +8,15 @@
 namespace breakshot::physics {
 
 template <class Real>
-struct Body {
+struct Body : Moving<Real> {
   BallId id{};
   std::uint32_t collisions = 0;  ///< of this shot so far: the counter of its random stream
   bool present = true;           ///< on the table
-  std::uint64_t instant = 0;     ///< for which position and velocity were last read from the path
+  std::uint64_t instant = 0;     ///< for which the rest was last read from the path
   BasicVec2<Real> position;
-  BasicVec2<Real> velocity;
+
+  Moving<Real>& moving() { return *this; }
+  const Moving<Real>& moving() const { return *this; }
 };
 
 }  // namespace breakshot::physics

@@ -7,19 +7,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/physics/appointment.hpp"
 #include "common/physics/field.hpp"
 
 namespace breakshot::physics {
-
-enum class Due : std::uint8_t { nothing, phase_end, cushion, ball };
-
-/// The next event of one ball.
-template <class Real>
-struct Appointment {
-  Real time_s = never<Real>;
-  Due due = Due::nothing;
-  std::uint32_t with = 0;  ///< the nose or the other ball
-};
 
 template <class Real>
 class TableCalendar {
@@ -27,6 +18,7 @@ class TableCalendar {
   TableCalendar(const Laws<Real>& laws, Real top_speed, std::size_t balls)
       : laws_(laws),
         top_speed_(top_speed),
+        own_events_(laws, top_speed),
         field_(balls, laws.diameter),
         paths_(balls),
         own_(balls),
@@ -40,8 +32,8 @@ class TableCalendar {
   /// The earliest event of all, or never.
   Real earliest() const { return field_.earliest(); }
 
-  /// Whether any ball moves.
-  bool moving() const { return moving_ > 0; }
+  /// Whether any ball moves, or spins in place.
+  bool moving() const { return moving_ + spinning_ > 0; }
 
   /// Goes on to `time_s`. All that is asked from now on is asked of that instant.
   void move_to(Real time_s) { field_.move_to(time_s); }
@@ -63,7 +55,9 @@ class TableCalendar {
   /// Gives a ball a new path, which starts at this instant. update() must follow before anything is
   /// asked again.
   void set(std::uint32_t ball, const Path<Real>& path) {
-    moving_ = moving_ + !is_still(path.segment.phase) - !is_still(paths_[ball].segment.phase);
+    const Phase before = paths_[ball].segment.phase;
+    moving_ = moving_ + !is_still(path.segment.phase) - !is_still(before);
+    spinning_ = spinning_ + (path.segment.phase == Phase::spin) - (before == Phase::spin);
     paths_[ball] = path;
     field_.set(ball, path);
     if (fresh_[ball] == Freshness::known) changed_.push_back(ball);
@@ -82,7 +76,8 @@ class TableCalendar {
       }
       ++ball;
     }
-    for (std::size_t k = 0; k < changed; ++k) own_[changed_[k]] = own_event(paths_[changed_[k]]);
+    for (std::size_t k = 0; k < changed; ++k)
+      own_[changed_[k]] = own_events_.next(paths_[changed_[k]]);
     for (const std::uint32_t i : changed_) meet_first(i, own_[i]);
     if (laws_.ball_ball) {
       // A ball at rest has only those to meet that move and have not met it already.
@@ -93,7 +88,7 @@ class TableCalendar {
         --unmet;
       }
       for (const std::uint32_t i : changed_) {
-        if (unmet > 0 && paths_[i].segment.phase == Phase::rest) meet_all(i);
+        if (unmet > 0 && is_still(paths_[i].segment.phase)) meet_all(i);
       }
     }
     for (const std::uint32_t i : changed_) fresh_[i] = Freshness::known;
@@ -101,19 +96,6 @@ class TableCalendar {
   }
 
  private:
-  Appointment<Real> own_event(const Path<Real>& path) const {
-    Appointment<Real> first;
-    if (is_still(path.segment.phase)) return first;
-    if (path.end_s < never<Real>) first = {path.end_s, Due::phase_end, 0};
-    std::uint32_t number = 0;
-    for (const Nose<Real>& nose : laws_.noses) {
-      const Real t = cushion_time(path, nose, laws_.radius, top_speed_, first.time_s);
-      if (t < first.time_s) first = {t, Due::cushion, number};
-      ++number;
-    }
-    return first;
-  }
-
   void meet_first(std::uint32_t ball, const Appointment<Real>& appointment) {
     next_[ball] = appointment;
     field_.set_until(ball, appointment.time_s);
@@ -122,11 +104,12 @@ class TableCalendar {
   void meet_all(std::uint32_t i) {
     const bool still = is_still(paths_[i].segment.phase);
     fresh_[i] = Freshness::met;
+    if (paths_[i].segment.phase == Phase::pocketed) return;
     field_.each_that_may_meet(i, [&](std::size_t other) {
       const auto j = static_cast<std::uint32_t>(other);
       const Phase phase = paths_[j].segment.phase;
       if (fresh_[j] == Freshness::met || phase == Phase::pocketed) return;
-      if (still && phase == Phase::rest) return;
+      if (still && is_still(phase)) return;
       const Real t = field_.detector().time(paths_[std::min(i, j)], paths_[std::max(i, j)]);
       if (t < field_.until(i)) meet_first(i, {t, Due::ball, j});
       if (t < field_.until(j)) meet_first(j, {t, Due::ball, i});
@@ -137,12 +120,14 @@ class TableCalendar {
 
   const Laws<Real>& laws_;
   Real top_speed_;
+  OwnEvents<Real> own_events_;
   Field<Real> field_;
   std::vector<Path<Real>> paths_;
   std::vector<Appointment<Real>> own_;  ///< the next event that takes no other ball
   std::vector<Appointment<Real>> next_;
   std::vector<Freshness> fresh_;
-  std::size_t moving_ = 0;              ///< balls
+  std::size_t moving_ = 0;              ///< balls that change their place
+  std::size_t spinning_ = 0;            ///< balls that spin in place
   std::vector<std::uint32_t> changed_;  ///< by a new path; then those whose partner did
 };
 

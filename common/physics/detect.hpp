@@ -43,12 +43,6 @@ constexpr Real touch_gap_bound(Real coordinate, Real relative_speed, Real time_s
   return std::numeric_limits<Real>::epsilon() * (8 * coordinate + relative_speed * time_s);
 }
 
-/// A speed of approach that two velocities of these sizes cannot resolve.
-template <class Real>
-constexpr Real unresolved_speed(Real speeds) {
-  return 2 * std::numeric_limits<Real>::epsilon() * speeds;
-}
-
 /// Twofold products are good to about 2^-100 (for double): what differs by less is a tie.
 template <class Real>
 inline const Real twofold_resolution = power_of_two<Real>(8 -
@@ -142,8 +136,9 @@ Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter) {
   const Real distance = length(relative.position);
   const Real coordinate =
       larger(diameter, larger(largest_coordinate(e.first), largest_coordinate(e.second)));
-  const bool one_rests = a.segment.phase == Phase::rest || b.segment.phase == Phase::rest;
-  const bool straight = one_rests || relative.acceleration == BasicVec2<Real>{};
+  const bool one_stays = is_still(a.segment.phase) || is_still(b.segment.phase);
+  const bool slowing = one_stays && !a.curved && !b.curved;
+  const bool straight = slowing || relative.acceleration == BasicVec2<Real>{};
   if (distance - diameter <= touch_gap(coordinate, length(relative.velocity), e.start_s)) {
     const Real approach = -dot(relative.position, relative.velocity);
     const Real unresolved = unresolved_speed(a.speed + b.speed) * distance;
@@ -161,10 +156,10 @@ Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter) {
   }
   Real t = linear_entry(e, diameter);
   if (t == never<Real>) return t;
-  if (one_rests) {
+  if (slowing) {
     // Along a straight decelerating path, t at constant velocity is a distance. The whole stop,
     // at speed / deceleration, covers half of what constant velocity would.
-    const Path<Real>& mover = a.segment.phase == Phase::rest ? b : a;
+    const Path<Real>& mover = is_still(a.segment.phase) ? b : a;
     const Real speed = length(relative.velocity);
     const Real deceleration = length(mover.segment.acceleration);
     const Real left = 1 - 2 * (deceleration / speed) * t;
@@ -215,6 +210,34 @@ Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, R
   if (towards <= 0 && pull > 0) t = (sqrt(discriminant) - towards) / pull;
   if (!(s.start_s + t <= path.end_s) || t == never<Real> || !within(t)) return never<Real>;
   return s.start_s + t;
+}
+
+/// The sector of an arc has this much to spare on both sides, in radii: what rounding may open
+/// between a rounded nose and the straight ones beside it.
+template <class Real>
+inline constexpr Real sector_slack = 64 * std::numeric_limits<Real>::epsilon();
+
+/// Whether a ball with its centre at `position` is in front of the arc.
+template <class Real>
+bool faces(const Arc<Real>& arc, BasicVec2<Real> position) {
+  const BasicVec2<Real> d = position - arc.centre.segment.position;
+  const Real coordinate = larger(largest_coordinate(position), arc.distance);
+  const Real slack = sector_slack<Real> * coordinate;
+  return cross(arc.from, d) >= -slack && cross(d, arc.to) >= -slack &&
+         dot(arc.from + arc.to, d) > 0;
+}
+
+/// When the ball of a path next meets a rounded nose, or never.
+template <class Real>
+Real arc_time(const Path<Real>& path, const Arc<Real>& arc) {
+  const Real t = contact_time(path, arc.centre, arc.distance);
+  return t < never<Real> && faces(arc, position_at(path.segment, t)) ? t : never<Real>;
+}
+
+/// When the centre of a path's ball next crosses a hole's edge, or never.
+template <class Real>
+Real drop_time(const Path<Real>& path, const Drop<Real>& drop) {
+  return contact_time(path, drop.centre, drop.radius);
 }
 
 }  // namespace breakshot::physics

@@ -15,10 +15,6 @@ namespace breakshot::physics {
 template <class Real>
 class Field {
   static constexpr std::size_t lanes = 4;
-  /// What never ends is looked at this far ahead: the square of it is a number still.
-  static constexpr double longest_span_s =
-      std::numeric_limits<Real>::max_exponent > 256 ? 1e60 : 1e15;
-
   struct Row {
     using Numbers = std::array<Real, lanes>;
     Numbers start, start_x, start_y, start_vx, start_vy, ax, ay;
@@ -118,7 +114,7 @@ class Field {
     const BasicVec2<Real> p{own.x[k], own.y[k]};
     const BasicVec2<Real> v{own.vx[k], own.vy[k]};
     const BasicVec2<Real> a{own.ax[k], own.ay[k]};
-    const Real last = now_s_ + Real(longest_span_s);
+    const Real last = now_s_ + Real(longest_span_s<Real>);
     const Real end = smaller(own.until[k], last);
     std::size_t first = 0;
     for (const Row& row : rows_) {

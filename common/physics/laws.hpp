@@ -1,5 +1,5 @@
-// The laws of one scene in the form in which the loop uses them: constants in the scalar of the
-// simulation, one value for each phenomenon that is present.
+// A scene read once into what the simulation needs: the numbers of its phenomena in the scalar of
+// the simulation, one value for each phenomenon that is present.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "common/physics/scene.hpp"
-#include "common/physics/segment.hpp"
+#include "common/physics/cloth.hpp"
+#include "common/physics/rails.hpp"
 
 namespace breakshot::physics {
-
-template <class Real>
-constexpr Real never = std::numeric_limits<Real>::infinity();
 
 /// Restitution along a contact's normal. Approaches slower than `elastic_below` separate at
 /// max(e s, min(s, elastic_below)), which is never asked of elastic contacts: e = 1, elastic_below
@@ -31,6 +28,24 @@ struct Bounce {
   }
 };
 
+/// What happens across the normal of a contact.
+enum class Touch : std::uint8_t {
+  smooth,      ///< nothing, or a share of the tangential velocity is lost
+  rubs,        ///< one impulse of Coulomb friction: Han 2005, Alciatore's throw
+  integrated,  ///< a model of the whole contact: Mathavan 2010 and 2014
+  compliant,   ///< Stronge 2000
+};
+
+/// What a cushion does to a ball.
+template <class Real>
+struct NoseResponse {
+  CushionId id{};
+  Bounce<Real> bounce;
+  Touch touch = Touch::smooth;
+  Real tangential = 1;  ///< of a smooth nose
+  NoseLaw<Real> law;    ///< of the others
+};
+
 /// A straight nose with its frame.
 template <class Real>
 struct Nose {
@@ -38,16 +53,31 @@ struct Nose {
   BasicVec2<Real> along;   ///< unit vector
   BasicVec2<Real> inward;  ///< unit normal towards the playing side
   Real extent{};           ///< m
-  Bounce<Real> bounce;
-  Real tangential = 1;
 };
 
-/// A ball's motion from an instant on, and when its phase ends.
+/// A rounded nose, as balls meet it.
 template <class Real>
-struct Path {
-  BasicSegment<Real> segment;
-  Real speed{};              ///< at start, m/s
-  Real end_s = never<Real>;  ///< of the phase
+struct Arc {
+  Path<Real> centre;     ///< one that rests
+  Real distance{};       ///< of the centre of a ball that touches, m
+  BasicVec2<Real> from;  ///< unit vectors
+  BasicVec2<Real> to;
+};
+
+/// A hole's edge, as the centres of balls meet it.
+template <class Real>
+struct Drop {
+  PocketId pocket{};
+  Path<Real> centre;  ///< one that rests
+  Real radius{};      ///< m
+};
+
+/// What balls do to one another.
+template <class Real>
+struct PairResponse {
+  Bounce<Real> bounce;
+  Touch touch = Touch::smooth;
+  PairLaw<Real> law;
 };
 
 template <class Real>
@@ -60,32 +90,33 @@ template <class Real>
 struct Laws {
   explicit Laws(const Scene& scene);
 
-  /// The path of a ball that leaves `position` with `velocity` at `time_s`.
-  Path<Real> path_from(BallId ball, Real time_s, BasicVec2<Real> position,
-                       BasicVec2<Real> velocity) const;
-  /// The path after the end of a phase: slides become rolls, rolls end in rest.
-  Path<Real> path_after(const Path<Real>& ended) const;
-  /// The deceleration vector of a ball with this velocity.
-  BasicVec2<Real> acceleration_of(BasicVec2<Real> velocity) const;
-  /// The pocket that takes a ball which meets `nose` with its centre at `position`, if any.
+  /// The pocket that takes a ball which meets `nose` with its centre at `position`, if any: of
+  /// standard pockets.
   std::optional<PocketId> pocket_at(std::size_t nose, BasicVec2<Real> position) const;
+  /// Whether a ball at `position` is between the lines of a rectangle's noses, by `margin`.
+  bool is_inside(BasicVec2<Real> position, Real margin = 0) const {
+    return inside && position.x <= inside->x - margin && position.x >= margin - inside->x &&
+           position.y <= inside->y - margin && position.y >= margin - inside->y;
+  }
+  /// The place of an arc among all cushions: after the straight ones.
+  std::uint32_t cushion_of_arc(std::size_t arc) const {
+    return static_cast<std::uint32_t>(noses.size() + arc);
+  }
 
   Real radius{};
   Real diameter{};
-  Real slide_deceleration{};  ///< m/s^2; both 0 without friction
-  Real roll_deceleration{};
-  Real rolling_below{};  ///< m/s
-  bool friction = false;
+  Cloth<Real> cloth;
   std::vector<Nose<Real>> noses;
+  std::vector<Arc<Real>> arcs;
+  std::vector<NoseResponse<Real>> responses;  ///< of noses, then of arcs
+  std::vector<Drop<Real>> drops;
+  std::vector<Nose<Real>> walls;  ///< with jaws: the lines of the noses, from corner to corner
+  std::optional<BasicVec2<Real>> inside;  ///< half the sides of a rectangle clear of all rails
   std::optional<PocketMouths<Real>> mouths;
   BasicVec2<Real> half_bed;  ///< of a rectangle
-  std::optional<Bounce<Real>> ball_ball;
+  std::optional<PairResponse<Real>> ball_ball;
   double perturb_balls = 0;
   double perturb_cushions = 0;
-
- private:
-  Path<Real> rolling(BallId ball, Real time_s, BasicVec2<Real> position, BasicVec2<Real> direction,
-                     Real speed) const;
 };
 
 /// Restitution 1 leaves nothing to be weak about.
@@ -95,101 +126,115 @@ Bounce<Real> bounce_of(double restitution, double elastic_below_m_s) {
   return {Real(restitution), Real(elastic_below_m_s)};
 }
 
+/// The sliding friction of a scene's cloth.
 template <class Real>
-Bounce<Real> bounce_of(const BallBallModel& model) {
-  const auto* restitution = std::get_if<BallRestitution>(&model);
-  return restitution == nullptr
-             ? Bounce<Real>{}
-             : bounce_of<Real>(restitution->normal, restitution->elastic_below_m_s);
+Real cloth_friction_of(const Scene& scene) {
+  const auto* spinning = std::get_if<Spinning>(&scene.bed.motion);
+  return spinning == nullptr ? Real(0) : Real(spinning->sliding_friction);
+}
+
+template <class Real>
+struct PairReader {
+  const Scene& scene;
+
+  PairResponse<Real> operator()(const Elastic&) const { return {}; }
+  PairResponse<Real> operator()(const BallRestitution& m) const {
+    return {bounce_of<Real>(m.normal, m.elastic_below_m_s), Touch::smooth, {}};
+  }
+  PairResponse<Real> operator()(const BallFriction& m) const {
+    return {bounce_of<Real>(m.restitution, m.elastic_below_m_s), Touch::rubs,
+            law(m.a, m.b, m.c_s_m)};
+  }
+  PairResponse<Real> operator()(const Mathavan2014& m) const {
+    return {bounce_of<Real>(m.restitution, m.elastic_below_m_s), Touch::integrated,
+            law(m.friction, 0, 0)};
+  }
+
+  PairLaw<Real> law(double a, double b, double c) const {
+    return {Real(scene.ball.radius_m), Real(a), Real(b), Real(c), cloth_friction_of<Real>(scene)};
+  }
+};
+
+template <class Real>
+struct NoseReader {
+  const Scene& scene;
+  CushionId id;
+
+  NoseResponse<Real> operator()(const Mirror&) const { return {id, {}, Touch::smooth, 1, {}}; }
+  NoseResponse<Real> operator()(const CushionRestitution& m) const {
+    return {
+        id, bounce_of<Real>(m.normal, m.elastic_below_m_s), Touch::smooth, Real(m.tangential), {}};
+  }
+  NoseResponse<Real> operator()(const Han2005& m) const { return of(m, Touch::rubs, 0); }
+  NoseResponse<Real> operator()(const Mathavan2010& m) const { return of(m, Touch::integrated, 0); }
+  NoseResponse<Real> operator()(const Stronge2000& m) const {
+    return of(m, Touch::compliant, m.frequency_ratio);
+  }
+
+  NoseResponse<Real> of(const auto& m, Touch touch, double frequency_ratio) const {
+    return {id,
+            bounce_of<Real>(m.restitution, default_elastic_below_m_s),
+            touch,
+            1,
+            {Real(scene.ball.radius_m), Real(m.height_m), Real(m.friction),
+             cloth_friction_of<Real>(scene), Real(frequency_ratio)}};
+  }
+};
+
+template <class Real>
+BasicVec2<Real> vec_of(Vec2 v) {
+  return {Real(v.x), Real(v.y)};
 }
 
 template <class Real>
 Nose<Real> nose_of(const CushionSegment& segment) {
   Nose<Real> nose;
-  nose.from = {Real(segment.from.x), Real(segment.from.y)};
-  const BasicVec2<Real> whole = BasicVec2<Real>{Real(segment.to.x), Real(segment.to.y)} - nose.from;
+  nose.from = vec_of<Real>(segment.from);
+  const BasicVec2<Real> whole = vec_of<Real>(segment.to) - nose.from;
   nose.extent = length(whole);
   nose.along = whole / nose.extent;
   nose.inward = perp(nose.along);
-  if (const auto* restitution = std::get_if<CushionRestitution>(&segment.model)) {
-    nose.bounce = bounce_of<Real>(restitution->normal, restitution->elastic_below_m_s);
-    nose.tangential = Real(restitution->tangential);
-  }
   return nose;
 }
 
 template <class Real>
+Path<Real> fixed_at(Vec2 place) {
+  Path<Real> path;
+  path.segment.position = vec_of<Real>(place);
+  return path;
+}
+
+template <class Real>
 Laws<Real>::Laws(const Scene& scene)
-    : radius(scene.ball.radius_m), diameter(2 * Real(scene.ball.radius_m)) {
+    : radius(scene.ball.radius_m), diameter(2 * Real(scene.ball.radius_m)), cloth(scene) {
   using std::sqrt;
-  if (const auto* straight = std::get_if<Straight>(&scene.bed.motion)) {
-    friction = true;
-    slide_deceleration = Real(straight->sliding_friction) * Real(*scene.gravity_m_s2);
-    roll_deceleration = Real(straight->rolling_friction) * Real(*scene.gravity_m_s2);
-    rolling_below = Real(straight->rolling_below_m_s);
+  const Rails rails = rails_of(scene);
+  for (const RailSegment& rail : rails.segments) {
+    noses.push_back(nose_of<Real>(rail.nose));
+    responses.push_back(std::visit(NoseReader<Real>{scene, rail.id}, rail.nose.model));
   }
-  for (const CushionSegment& segment : segments_of(scene)) noses.push_back(nose_of<Real>(segment));
-  if (scene.pockets) {
-    mouths = {Real(scene.pockets->corner_mouth_m) / sqrt(Real(2)),
-              Real(scene.pockets->side_mouth_m) / 2};
+  for (const RailArc& rail : rails.arcs) {
+    arcs.push_back({fixed_at<Real>(rail.nose.centre), radius + Real(rail.nose.radius_m),
+                    vec_of<Real>(rail.nose.from), vec_of<Real>(rail.nose.to)});
+    responses.push_back(std::visit(NoseReader<Real>{scene, rail.id}, rail.nose.model));
+  }
+  for (const Hole& hole : rails.holes) {
+    drops.push_back({hole.pocket, fixed_at<Real>(hole.centre), Real(hole.radius_m)});
+  }
+  if (!drops.empty()) {
+    for (const CushionSegment& wall : segments_of(scene)) walls.push_back(nose_of<Real>(wall));
+  }
+  if (rails.inside) inside = vec_of<Real>(*rails.inside) - BasicVec2<Real>{radius, radius};
+  if (const auto* standard =
+          scene.pockets ? std::get_if<StandardPockets>(&*scene.pockets) : nullptr) {
+    mouths = {Real(standard->corner_mouth_m) / sqrt(Real(2)), Real(standard->side_mouth_m) / 2};
     half_bed = {Real(*scene.bed.length_m) / 2, Real(*scene.bed.width_m) / 2};
   }
-  if (scene.ball_ball) ball_ball = bounce_of<Real>(*scene.ball_ball);
+  if (scene.ball_ball) ball_ball = std::visit(PairReader<Real>{scene}, *scene.ball_ball);
   if (scene.perturbation) {
     perturb_balls = scene.perturbation->ball;
     perturb_cushions = scene.perturbation->cushion;
   }
-}
-
-template <class Real>
-Path<Real> Laws<Real>::rolling(BallId ball, Real time_s, BasicVec2<Real> position,
-                               BasicVec2<Real> direction, Real speed) const {
-  Path<Real> path;
-  path.segment = {ball,     Phase::roll,       time_s,
-                  position, direction * speed, direction * -roll_deceleration};
-  path.speed = speed;
-  if (roll_deceleration > 0) path.end_s = time_s + speed / roll_deceleration;
-  return path;
-}
-
-template <class Real>
-Path<Real> Laws<Real>::path_from(BallId ball, Real time_s, BasicVec2<Real> position,
-                                 BasicVec2<Real> velocity) const {
-  const Real speed = length(velocity);
-  Path<Real> path;
-  path.segment = {ball, Phase::rest, time_s, position, velocity, {}};
-  path.speed = speed;
-  if (speed == 0) return path;
-  path.segment.phase = Phase::roll;
-  if (!friction) return path;
-  const BasicVec2<Real> direction = velocity / speed;
-  const bool slides = speed > rolling_below;
-  const Real deceleration = slides ? slide_deceleration : roll_deceleration;
-  if (slides) path.segment.phase = Phase::slide;
-  path.segment.acceleration = direction * -deceleration;
-  if (deceleration > 0) {
-    path.end_s = time_s + (slides ? speed - rolling_below : speed) / deceleration;
-  }
-  return path;
-}
-
-template <class Real>
-Path<Real> Laws<Real>::path_after(const Path<Real>& ended) const {
-  const BasicSegment<Real>& s = ended.segment;
-  const BasicVec2<Real> position = position_at(s, ended.end_s);
-  if (s.phase == Phase::slide && rolling_below > 0) {
-    return rolling(s.ball, ended.end_s, position, s.velocity / ended.speed, rolling_below);
-  }
-  Path<Real> rest;
-  rest.segment = {s.ball, Phase::rest, ended.end_s, position, {}, {}};
-  return rest;
-}
-
-template <class Real>
-BasicVec2<Real> Laws<Real>::acceleration_of(BasicVec2<Real> velocity) const {
-  const Real speed = length(velocity);
-  if (!friction || speed == 0) return {};
-  return velocity / speed * -(speed > rolling_below ? slide_deceleration : roll_deceleration);
 }
 
 template <class Real>

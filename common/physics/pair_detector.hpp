@@ -5,6 +5,11 @@
 
 namespace breakshot::physics {
 
+/// What never ends is looked at this far ahead: the square of it is a number still, s.
+template <class Real>
+inline constexpr double longest_span_s =
+    std::numeric_limits<Real>::max_exponent > 256 ? 1e60 : 1e10;
+
 template <class Real>
 class PairDetector {
  public:

@@ -12,8 +12,12 @@
 #include "common/physics/body.hpp"
 #include "common/physics/detect.hpp"
 #include "common/physics/event.hpp"
+#include "common/physics/han2005.hpp"
+#include "common/physics/mathavan2010.hpp"
+#include "common/physics/mathavan2014.hpp"
 #include "common/physics/perturbation.hpp"
 #include "common/physics/projection.hpp"
+#include "common/physics/stronge2000.hpp"
 
 namespace breakshot::physics {
 
@@ -25,7 +29,7 @@ inline constexpr std::uint32_t max_passes = 10'000;
 /// hops of the one in the middle: without a least hop they would become ever smaller and never end.
 inline constexpr double resting_share = 1e-3;
 
-/// Two things that touch: balls `a` < `b`, or ball `a` and nose `b`.
+/// Two things that touch: balls `a` < `b`, or ball `a` and cushion `b`, counting arcs after noses.
 template <class Real>
 struct Contact {
   std::uint32_t a = 0;
@@ -68,11 +72,19 @@ class ContactSet {
          bodies[a].position + bodies[b].position});
   }
 
-  void add_cushion(const std::vector<Body<Real>>& bodies, std::uint32_t ball, std::uint32_t nose,
+  void add_cushion(const std::vector<Body<Real>>& bodies, std::uint32_t ball, std::uint32_t cushion,
                    bool predicted) {
-    const Vec outward = -laws_.noses[nose].inward;
-    add({ball, nose, true, predicted, outward,
+    const Vec outward = outward_normal(cushion, bodies[ball].position);
+    add({ball, cushion, true, predicted, outward,
          (bodies[ball].position + outward * laws_.radius) * Real(2)});
+  }
+
+  /// The unit vector from a ball to a cushion that it touches; arcs count after the noses.
+  Vec outward_normal(std::uint32_t cushion, Vec position) const {
+    if (cushion < laws_.noses.size()) return -laws_.noses[cushion].inward;
+    const Arc<Real>& arc = laws_.arcs[cushion - laws_.noses.size()];
+    const Vec between = arc.centre.segment.position - position;
+    return between / length(between);
   }
 
   /// Resolves the set. `touching(ball)` is called once for every ball that takes part and adds the
@@ -156,7 +168,8 @@ class ContactSet {
   void append_event(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Real time_s) {
     ++bodies[c.a].collisions;
     if (c.cushion) {
-      events_.push_back(BasicBallCushion<Real>{time_s, pass_, bodies[c.a].id, CushionId(c.b)});
+      events_.push_back(
+          BasicBallCushion<Real>{time_s, pass_, bodies[c.a].id, laws_.responses[c.b].id});
     } else {
       ++bodies[c.b].collisions;
       events_.push_back(BasicBallBall<Real>{time_s, pass_, bodies[c.a].id, bodies[c.b].id});
@@ -218,7 +231,8 @@ class ContactSet {
   Real tilt_of(const std::vector<Body<Real>>& bodies, const Contact<Real>& c) const {
     const double scale = c.cushion ? laws_.perturb_cushions : laws_.perturb_balls;
     if (scale == 0) return 0;
-    const std::uint32_t other = c.cushion ? 0x80000000u + c.b : number(bodies[c.b].id);
+    const std::uint32_t other =
+        c.cushion ? 0x80000000u + number(laws_.responses[c.b].id) : number(bodies[c.b].id);
     const std::uint32_t other_count = c.cushion ? 0 : bodies[c.b].collisions;
     return Real(scale *
                 symmetric(philox(
@@ -243,20 +257,24 @@ class ContactSet {
   void keep(const std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
     before_.clear();
     for (const Contact<Real>& c : set) {
-      before_.push_back(bodies[c.a].velocity);
-      before_.push_back(bodies[c.cushion ? c.a : c.b].velocity);
+      before_.push_back(bodies[c.a].moving());
+      before_.push_back(bodies[c.cushion ? c.a : c.b].moving());
     }
   }
 
   void restore(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) const {
     for (std::size_t k = 0; k < set.size(); ++k) {
-      bodies[set[k].a].velocity = before_[2 * k];
-      if (!set[k].cushion) bodies[set[k].b].velocity = before_[2 * k + 1];
+      bodies[set[k].a].moving() = before_[2 * k];
+      if (!set[k].cushion) bodies[set[k].b].moving() = before_[2 * k + 1];
     }
   }
 
   const Bounce<Real>& bounce_of(const Contact<Real>& c) const {
-    return c.cushion ? laws_.noses[c.b].bounce : *laws_.ball_ball;
+    return c.cushion ? laws_.responses[c.b].bounce : laws_.ball_ball->bounce;
+  }
+
+  Touch touch_of(const Contact<Real>& c) const {
+    return c.cushion ? laws_.responses[c.b].touch : laws_.ball_ball->touch;
   }
 
   /// The set's restitution: the smallest holds, at the set's largest approach.
@@ -273,7 +291,7 @@ class ContactSet {
     return least.at(largest);
   }
 
-  /// Normal impulses along normals_, then the cushions' hold on the tangential velocity.
+  /// Normal impulses along normals_, then what happens across them.
   void collide(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
     Real largest = 0;
     rates_.clear();
@@ -282,18 +300,113 @@ class ContactSet {
       largest = speed > largest ? speed : largest;
       rates_.push_back(-speed);
     }
-    const Real factor = 1 + restitution_of(set, largest);
+    const Real restitution = restitution_of(set, largest);
     if (set.size() == 1) {
-      apply(bodies, set[0], normals_[0], set[0].cushion ? factor * largest : factor / 2 * largest);
-    } else {
-      const std::vector<Real> gram = gram_of(set);
-      NonNegativeImpulses<Real> impulses(gram, rates_);
-      const std::vector<Real>& sizes = impulses.solve();
-      for (std::size_t k = 0; k < set.size(); ++k) {
-        apply(bodies, set[k], normals_[k], factor * sizes[k]);
-      }
+      collide_one(bodies, set[0], largest, restitution);
+      return;
+    }
+    const std::vector<Real> gram = gram_of(set);
+    NonNegativeImpulses<Real> impulses(gram, rates_);
+    sizes_ = impulses.solve();
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      sizes_[k] *= 1 + restitution;
+      apply(bodies, set[k], normals_[k], sizes_[k]);
     }
     for (std::size_t k = 0; k < set.size(); ++k) hold(bodies, set[k], normals_[k]);
+    rub(bodies, set);
+  }
+
+  /// The direct path of nearly all contacts.
+  void collide_one(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Real speed,
+                   Real restitution) {
+    const Vec normal = normals_[0];
+    const Real factor = 1 + restitution;
+    if (c.cushion) {
+      const NoseResponse<Real>& nose = laws_.responses[c.b];
+      Moving<Real>& ball = bodies[c.a].moving();
+      switch (nose.touch) {
+        case Touch::smooth:
+          apply(bodies, c, normal, factor * speed);
+          hold(bodies, c, normal);
+          return;
+        case Touch::rubs:
+          ball = after_han2005(ball, normal, restitution, nose.law);
+          return;
+        case Touch::integrated:
+          ball = after_mathavan2010(ball, normal, restitution, nose.law);
+          return;
+        case Touch::compliant:
+          ball = after_stronge2000(ball, normal, restitution, nose.law);
+          return;
+      }
+    } else if (laws_.ball_ball->touch == Touch::integrated) {
+      collide_mathavan2014(bodies[c.a].moving(), bodies[c.b].moving(), normal, restitution,
+                           laws_.ball_ball->law);
+    } else {
+      apply(bodies, c, normal, factor / 2 * speed);
+      if (laws_.ball_ball->touch == Touch::smooth) return;
+      const PairLaw<Real>& law = laws_.ball_ball->law;
+      push_pair(bodies, c, normal,
+                pair_friction(bodies[c.a].moving(), bodies[c.b].moving(), normal,
+                              factor / 2 * speed, Real(1), law));
+    }
+  }
+
+  /// Friction of all contacts of a set at once, from the same velocities. Where a ball has several
+  /// contacts, each may take its share of what would stop the slip: so energy cannot rise.
+  void rub(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
+    const Real share = Real(1) / Real(most_contacts_of_a_ball(set));
+    frictions_.clear();
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const Contact<Real>& c = set[k];
+      const Moving<Real>& a = bodies[c.a].moving();
+      if (touch_of(c) == Touch::smooth) {
+        frictions_.push_back({});
+      } else if (c.cushion) {
+        const NoseLaw<Real>& law = laws_.responses[c.b].law;
+        frictions_.push_back(
+            nose_friction(a, nose_direction(normals_[k], law), sizes_[k], share, law));
+      } else {
+        frictions_.push_back(pair_friction(a, bodies[c.b].moving(), normals_[k], sizes_[k], share,
+                                           laws_.ball_ball->law));
+      }
+    }
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const Contact<Real>& c = set[k];
+      if (touch_of(c) == Touch::smooth) continue;
+      if (c.cushion) {
+        const NoseLaw<Real>& law = laws_.responses[c.b].law;
+        push(bodies[c.a].moving(), nose_direction(normals_[k], law) * law.radius, frictions_[k],
+             law.radius);
+      } else {
+        push_pair(bodies, c, normals_[k], frictions_[k]);
+      }
+    }
+  }
+
+  void push_pair(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal,
+                 BasicVec3<Real> impulse) const {
+    const BasicVec3<Real> to_contact{normal.x * laws_.radius, normal.y * laws_.radius, Real(0)};
+    push(bodies[c.a].moving(), to_contact, impulse, laws_.radius);
+    push(bodies[c.b].moving(), to_contact * Real(-1), impulse * Real(-1), laws_.radius);
+  }
+
+  static std::size_t most_contacts_of_a_ball(const std::vector<Contact<Real>>& set) {
+    std::size_t most = 1;
+    for (const Contact<Real>& c : set) {
+      std::size_t of_a = 0;
+      std::size_t of_b = 0;
+      for (const Contact<Real>& other : set) {
+        of_a += has_ball(other, c.a);
+        of_b += !c.cushion && has_ball(other, c.b);
+      }
+      most = std::max({most, of_a, of_b});
+    }
+    return most;
+  }
+
+  static bool has_ball(const Contact<Real>& c, std::uint32_t ball) {
+    return c.a == ball || (!c.cushion && c.b == ball);
   }
 
   std::vector<Real> gram_of(const std::vector<Contact<Real>>& set) const {
@@ -320,10 +433,10 @@ class ContactSet {
   }
 
   void hold(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal) const {
-    if (!c.cushion || laws_.noses[c.b].tangential == 1) return;
+    if (!c.cushion || laws_.responses[c.b].tangential == 1) return;
     const Vec tangent = perp(normal);
     Vec& velocity = bodies[c.a].velocity;
-    const Real lost = (1 - laws_.noses[c.b].tangential) * dot(velocity, tangent);
+    const Real lost = (1 - laws_.responses[c.b].tangential) * dot(velocity, tangent);
     velocity = velocity - tangent * lost;
   }
 
@@ -353,10 +466,10 @@ class ContactSet {
 
   /// Whether the second derivative of the gap is negative.
   bool closes(const std::vector<Body<Real>>& bodies, const Contact<Real>& c) const {
-    const Vec pull = laws_.acceleration_of(bodies[c.a].velocity);
+    const Vec pull = laws_.cloth.acceleration_of(bodies[c.a].moving());
     if (c.cushion) return dot(pull, c.normal) > 0;
     const Vec velocity = relative_velocity(bodies, c);
-    const Vec acceleration = pull - laws_.acceleration_of(bodies[c.b].velocity);
+    const Vec acceleration = pull - laws_.cloth.acceleration_of(bodies[c.b].moving());
     const Vec between = bodies[c.b].position - bodies[c.a].position;
     return dot(velocity, velocity) - dot(acceleration, between) < 0;
   }
@@ -371,9 +484,11 @@ class ContactSet {
   std::vector<BasicEvent<Real>> events_;
   // Of the connected set being resolved; kept between sets for their memory alone.
   std::vector<Vec> normals_;
-  std::vector<Vec> before_;
+  std::vector<Moving<Real>> before_;
   std::vector<Real> tilts_;
   std::vector<Real> rates_;
+  std::vector<Real> sizes_;
+  std::vector<BasicVec3<Real>> frictions_;
 };
 
 }  // namespace breakshot::physics

@@ -1,7 +1,10 @@
 #include "common/physics/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "common/physics/angle.hpp"
+#include "common/physics/rails.hpp"
 #include "common/physics/validation.hpp"
 
 namespace breakshot::physics {
@@ -16,24 +19,36 @@ constexpr double max_gravity_m_s2 = 1000;
 constexpr double min_friction = 1e-300;
 constexpr double max_friction = 10;
 constexpr double max_bed_m = 1e4;
+/// Of a nose above the bed, in radii: at two it would miss the ball.
+constexpr double max_nose_height = 1.99;
+
+void check_friction(Faults& faults, const std::string& field, double value) {
+  if (value != 0) faults.range(field, value, min_friction, max_friction);
+}
 
 void check(Faults& faults, const std::string& path, const Straight& straight) {
-  for (const auto& [name, value] : {std::pair{".slidingFriction", straight.sliding_friction},
-                                    std::pair{".rollingFriction", straight.rolling_friction}}) {
-    if (value != 0) faults.range(path + name, value, min_friction, max_friction);
-  }
+  check_friction(faults, path + ".slidingFriction", straight.sliding_friction);
+  check_friction(faults, path + ".rollingFriction", straight.rolling_friction);
   faults.range(path + ".rollingBelow", straight.rolling_below_m_s, 0, max_speed_m_s);
+}
+
+void check(Faults& faults, const std::string& path, const Spinning& spinning) {
+  check_friction(faults, path + ".slidingFriction", spinning.sliding_friction);
+  check_friction(faults, path + ".rollingFriction", spinning.rolling_friction);
+  check_friction(faults, path + ".spinFriction", spinning.spin_friction);
 }
 
 void check_motion(Faults& faults, const Scene& scene) {
   if (scene.gravity_m_s2) {
     faults.range("scene.gravity", *scene.gravity_m_s2, min_gravity_m_s2, max_gravity_m_s2);
   }
+  if (!scene.gravity_m_s2 && !std::holds_alternative<Frictionless>(scene.bed.motion)) {
+    faults.add("scene.gravity", "is missing; every motion but frictionless needs it");
+  }
   if (const auto* straight = std::get_if<Straight>(&scene.bed.motion)) {
-    if (!scene.gravity_m_s2) {
-      faults.add("scene.gravity", "is missing; every motion but frictionless needs it");
-    }
     check(faults, "scene.bed.motion.straight", *straight);
+  } else if (const auto* spinning = std::get_if<Spinning>(&scene.bed.motion)) {
+    check(faults, "scene.bed.motion.spinning", *spinning);
   }
 }
 
@@ -49,13 +64,50 @@ void check_bed(Faults& faults, const Scene& scene) {
   }
 }
 
-void check(Faults& faults, const std::string& path, const CushionModel& model) {
-  const auto* restitution = std::get_if<CushionRestitution>(&model);
-  if (restitution == nullptr) return;
-  const std::string at = path + ".restitution";
-  faults.range(at + ".normal", restitution->normal, 0, 1);
-  faults.range(at + ".tangential", restitution->tangential, 0, 1);
-  faults.range(at + ".elasticBelow", restitution->elastic_below_m_s, 0, 1);
+/// Names the bad fields of a cushion's model below `path`.
+struct CushionChecker {
+  Faults& faults;
+  const std::string& path;
+  double radius_m;
+
+  void operator()(const Mirror&) const {}
+  void operator()(const CushionRestitution& m) const {
+    const std::string at = path + ".restitution";
+    faults.range(at + ".normal", m.normal, 0, 1);
+    faults.range(at + ".tangential", m.tangential, 0, 1);
+    faults.range(at + ".elasticBelow", m.elastic_below_m_s, 0, 1);
+  }
+  void operator()(const Han2005& m) const { check_nose(path + ".han2005", m); }
+  void operator()(const Mathavan2010& m) const { check_nose(path + ".mathavan2010", m); }
+  void operator()(const Stronge2000& m) const {
+    check_nose(path + ".stronge2000", m);
+    faults.range(path + ".stronge2000.frequencyRatio", m.frequency_ratio, 1, 10);
+  }
+
+  void check_nose(const std::string& at, const auto& m) const {
+    faults.range(at + ".restitution", m.restitution, 0, 1);
+    faults.range(at + ".friction", m.friction, 0, max_friction);
+    faults.range(at + ".height", m.height_m, radius_m, max_nose_height * radius_m);
+  }
+};
+
+void check_model(Faults& faults, const std::string& path, const CushionModel& model,
+                 const Scene& scene) {
+  std::visit(CushionChecker{faults, path, scene.ball.radius_m}, model);
+}
+
+void check(Faults& faults, const std::string& path, const CushionArc& arc) {
+  faults.coordinates(path + ".centre", arc.centre);
+  faults.range(path + ".radius", arc.radius_m, min_radius_m, max_radius_m);
+  for (const auto& [name, direction] : {std::pair{".from", arc.from}, std::pair{".to", arc.to}}) {
+    const double size = length(direction);
+    if (!(size >= 1 - 1e-9 && size <= 1 + 1e-9)) {
+      faults.add(path + name, "has length " + shown(size) + "; it must be a unit vector");
+    }
+  }
+  if (!(cross(arc.from, arc.to) > 0)) {
+    faults.add(path + ".to", "must be less than half a turn, counter-clockwise, after from");
+  }
 }
 
 void check(Faults& faults, const std::string& path, const CushionSegment& segment) {
@@ -64,40 +116,112 @@ void check(Faults& faults, const std::string& path, const CushionSegment& segmen
   if (segment.from == segment.to) {
     faults.add(path + ".to", "equals from; a cushion needs a length");
   }
-  check(faults, path + ".model", segment.model);
 }
 
-void check_cushions(Faults& faults, const Cushions& cushions) {
-  if (const auto* rectangle = std::get_if<RectangleCushions>(&cushions)) {
-    check(faults, "scene.cushions.rectangle.model", rectangle->model);
+void check_noses(Faults& faults, const std::string& list, const auto& noses, const Scene& scene) {
+  for (std::size_t i = 0; i < noses.size(); ++i) {
+    const std::string path = list + "[" + std::to_string(i) + "]";
+    check(faults, path, noses[i]);
+    check_model(faults, path + ".model", noses[i].model, scene);
+  }
+}
+
+void check_cushions(Faults& faults, const Scene& scene) {
+  if (const auto* rectangle = std::get_if<RectangleCushions>(&*scene.cushions)) {
+    check_model(faults, "scene.cushions.rectangle.model", rectangle->model, scene);
     return;
   }
-  const auto& segments = std::get<FreeCushions>(cushions).segments;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    check(faults, "scene.cushions.segments[" + std::to_string(i) + "]", segments[i]);
+  const auto& free = std::get<FreeCushions>(*scene.cushions);
+  check_noses(faults, "scene.cushions.segments", free.segments, scene);
+  check_noses(faults, "scene.cushions.arcs", free.arcs, scene);
+}
+
+void check(Faults& faults, const StandardPockets& pockets, const Bed& bed) {
+  const std::string path = "scene.pockets.standard";
+  faults.range(path + ".cornerMouth", pockets.corner_mouth_m, min_radius_m,
+               bed.width_m.value_or(max_bed_m));
+  faults.range(path + ".sideMouth", pockets.side_mouth_m, min_radius_m,
+               bed.length_m.value_or(max_bed_m));
+}
+
+/// One kind of pocket of a table with jaws; `axis_rad` is the angle between the line of the noses
+/// and the way into the pocket.
+struct JawFields {
+  std::string name;
+  double mouth_m, greatest_mouth_m, cut_rad, shelf_m, nose_m, hole_m, axis_rad;
+};
+
+void check_jaws(Faults& faults, const JawFields& jaws, double radius_m) {
+  const std::string path = "scene.pockets.jawed." + jaws.name;
+  faults.range(path + "Mouth", jaws.mouth_m, 2 * radius_m, jaws.greatest_mouth_m);
+  // The facing leads into the pocket and towards the other one, or straight in.
+  faults.range(path + "Cut", jaws.cut_rad, pi - jaws.axis_rad, pi - 0.01);
+  faults.range(path + "Shelf", jaws.shelf_m, 0, jaws.mouth_m);
+  faults.range(path + "Nose", jaws.nose_m, min_radius_m, jaws.mouth_m);
+  faults.range(path + "Hole", jaws.hole_m, radius_m, jaws.mouth_m);
+  const double turn = jaws.axis_rad - (pi - jaws.cut_rad);
+  const Vec2 inwards = direction_of(turn);
+  const double depth = jaws.shelf_m + jaws.hole_m;
+  if (!(jaws.mouth_m - 2 * depth * inwards.y / inwards.x > 2 * radius_m)) {
+    faults.add(path + "Cut",
+               "lets the facings close in on less than a ball before the middle of "
+               "the hole; it must be smaller, or the mouth wider");
   }
+}
+
+void check_jawed(Faults& faults, const JawedPockets& p, const Scene& scene) {
+  const double length_m = scene.bed.length_m.value_or(max_bed_m);
+  const double width_m = scene.bed.width_m.value_or(max_bed_m);
+  check_jaws(faults,
+             {"corner", p.corner_mouth_m, width_m / 2, p.corner_cut_rad, p.corner_shelf_m,
+              p.corner_nose_m, p.corner_hole_m, pi / 4},
+             scene.ball.radius_m);
+  check_jaws(faults,
+             {"side", p.side_mouth_m, length_m / 4, p.side_cut_rad, p.side_shelf_m, p.side_nose_m,
+              p.side_hole_m, pi / 2},
+             scene.ball.radius_m);
 }
 
 void check_pockets(Faults& faults, const Scene& scene) {
   if (!scene.pockets) return;
-  const std::string path = "scene.pockets.standard";
+  const auto* jawed = std::get_if<JawedPockets>(&*scene.pockets);
   if (!scene.cushions || !std::holds_alternative<RectangleCushions>(*scene.cushions)) {
-    faults.add(path, "needs rectangle cushions");
-    return;
+    faults.add(jawed != nullptr ? "scene.pockets.jawed" : "scene.pockets.standard",
+               "needs rectangle cushions");
+  } else if (jawed != nullptr) {
+    check_jawed(faults, *jawed, scene);
+  } else {
+    check(faults, std::get<StandardPockets>(*scene.pockets), scene.bed);
   }
-  faults.range(path + ".cornerMouth", scene.pockets->corner_mouth_m, min_radius_m,
-               scene.bed.width_m.value_or(max_bed_m));
-  faults.range(path + ".sideMouth", scene.pockets->side_mouth_m, min_radius_m,
-               scene.bed.length_m.value_or(max_bed_m));
 }
 
-void check_contacts(Faults& faults, const Scene& scene) {
-  if (scene.ball_ball) {
-    if (const auto* model = std::get_if<BallRestitution>(&*scene.ball_ball)) {
-      faults.range("scene.ballBall.restitution.normal", model->normal, 0, 1);
-      faults.range("scene.ballBall.restitution.elasticBelow", model->elastic_below_m_s, 0, 1);
-    }
+/// Names the bad fields of what balls do to one another.
+struct PairChecker {
+  Faults& faults;
+
+  void operator()(const Elastic&) const {}
+  void operator()(const BallRestitution& m) const {
+    faults.range("scene.ballBall.restitution.normal", m.normal, 0, 1);
+    faults.range("scene.ballBall.restitution.elasticBelow", m.elastic_below_m_s, 0, 1);
   }
+  void operator()(const BallFriction& m) const {
+    const std::string at = "scene.ballBall.frictional";
+    faults.range(at + ".restitution", m.restitution, 0, 1);
+    faults.range(at + ".a", m.a, 0, 1);
+    faults.range(at + ".b", m.b, 0, 1);
+    faults.range(at + ".c", m.c_s_m, 0, 1000);
+    faults.range(at + ".elasticBelow", m.elastic_below_m_s, 0, 1);
+  }
+  void operator()(const Mathavan2014& m) const {
+    const std::string at = "scene.ballBall.mathavan2014";
+    faults.range(at + ".restitution", m.restitution, 0, 1);
+    faults.range(at + ".friction", m.friction, 0, 1);
+    faults.range(at + ".elasticBelow", m.elastic_below_m_s, 0, 1);
+  }
+};
+
+void check_contacts(Faults& faults, const Scene& scene) {
+  if (scene.ball_ball) std::visit(PairChecker{faults}, *scene.ball_ball);
   if (scene.perturbation) {
     faults.range("scene.perturbation.ball", scene.perturbation->ball, 0, 1);
     faults.range("scene.perturbation.cushion", scene.perturbation->cushion, 0, 1);
@@ -108,37 +232,60 @@ std::string ball_path(std::size_t index) {
   return "balls[" + std::to_string(index) + "]";
 }
 
-void check_numbers(Faults& faults, const Ball& ball, std::size_t index) {
+void check_numbers(Faults& faults, const Scene& scene, const Ball& ball, std::size_t index) {
   const std::string path = ball_path(index);
   faults.coordinates(path + ".position", ball.position);
   faults.range(path + ".velocity.x", ball.velocity.x, -max_speed_m_s, max_speed_m_s);
   faults.range(path + ".velocity.y", ball.velocity.y, -max_speed_m_s, max_speed_m_s);
-  if (!(ball.spin == Vec3{})) {
+  if (std::holds_alternative<Spinning>(scene.bed.motion)) {
+    faults.range(path + ".spin.x", ball.spin.x, -max_spin_rad_s, max_spin_rad_s);
+    faults.range(path + ".spin.y", ball.spin.y, -max_spin_rad_s, max_spin_rad_s);
+    faults.range(path + ".spin.z", ball.spin.z, -max_spin_rad_s, max_spin_rad_s);
+  } else if (!(ball.spin == Vec3{})) {
     faults.add(path + ".spin", "must be zero: the scene's motion has no spin");
   }
 }
 
-/// A ball may not stand in a cushion: in front of its nose line, within its extent, nearer than a
-/// radius. Inside a rectangle it may not be beyond the line either.
-void check_against(Faults& faults, const Scene& scene, const std::vector<CushionSegment>& cushions,
-                   const Ball& ball, std::size_t index) {
-  const bool enclosed =
-      scene.cushions && std::holds_alternative<RectangleCushions>(*scene.cushions);
-  for (std::size_t c = 0; c < cushions.size(); ++c) {
-    const Vec2 along = cushions[c].to - cushions[c].from;
+std::string too_near(double distance_m, const std::string& what, double radius_m) {
+  return "is " + shown(distance_m) + " m from " + what +
+         "; a ball's centre must be at least its radius " + shown(radius_m) + " m away";
+}
+
+/// A ball may not stand in a cushion: in front of its nose, within its extent, nearer than a
+/// radius. Inside a rectangle it may not be beyond the line of the noses either, and over a hole it
+/// would fall.
+std::optional<std::string> place_fault(const Scene& scene, const Rails& rails, Vec2 place) {
+  const double radius = scene.ball.radius_m;
+  const double nearest = radius - input_overlap_m;
+  if (rails.inside &&
+      (std::abs(place.x) > rails.inside->x || std::abs(place.y) > rails.inside->y)) {
+    return "is beyond the line of the cushions; |x| must be at most " + shown(rails.inside->x) +
+           ", |y| at most " + shown(rails.inside->y);
+  }
+  for (const RailSegment& rail : rails.segments) {
+    const Vec2 along = rail.nose.to - rail.nose.from;
     const double extent = length(along);
-    const Vec2 offset = ball.position - cushions[c].from;
+    const Vec2 offset = place - rail.nose.from;
     const double distance = cross(along, offset) / extent;
     const double foot = dot(along, offset) / extent;
-    const bool in_front = foot >= 0 && foot <= extent && distance >= 0;
-    if ((enclosed || in_front) && distance < scene.ball.radius_m - input_overlap_m) {
-      faults.add(ball_path(index) + ".position",
-                 "is " + shown(distance) + " m from cushion " + std::to_string(c) +
-                     "; a ball's centre must be at least its radius " + shown(scene.ball.radius_m) +
-                     " m away");
-      return;
+    if (foot >= 0 && foot <= extent && distance >= 0 && distance < nearest) {
+      return too_near(distance, "cushion " + std::to_string(number(rail.id)), radius);
     }
   }
+  for (const RailArc& rail : rails.arcs) {
+    const Vec2 d = place - rail.nose.centre;
+    const double distance = length(d) - rail.nose.radius_m;
+    const bool in_front = cross(rail.nose.from, d) >= 0 && cross(d, rail.nose.to) >= 0;
+    if (in_front && distance < nearest) {
+      return too_near(distance, "cushion " + std::to_string(number(rail.id)), radius);
+    }
+  }
+  for (const Hole& hole : rails.holes) {
+    if (length(place - hole.centre) < hole.radius_m) {
+      return "is over pocket " + std::to_string(number(hole.pocket)) + "; a ball there would fall";
+    }
+  }
+  return std::nullopt;
 }
 
 std::vector<std::size_t> order_by(const std::vector<Ball>& balls, auto key) {
@@ -188,7 +335,7 @@ std::vector<Fault> faults_of(const Scene& scene) {
   faults.range("scene.ball.radius", scene.ball.radius_m, min_radius_m, max_radius_m);
   faults.range("scene.ball.mass", scene.ball.mass_kg, min_mass_kg, max_mass_kg);
   check_bed(faults, scene);
-  if (scene.cushions) check_cushions(faults, *scene.cushions);
+  if (scene.cushions) check_cushions(faults, scene);
   check_pockets(faults, scene);
   check_contacts(faults, scene);
   return faults.take();
@@ -215,17 +362,19 @@ std::vector<Fault> faults_of(const Scene& scene, const State& state) {
                             std::to_string(max_balls) + " are possible");
     return faults.take();
   }
-  const auto cushions = segments_of(scene);
+  const Rails rails = rails_of(scene);
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    check_numbers(faults, balls[i], i);
-    check_against(faults, scene, cushions, balls[i], i);
+    check_numbers(faults, scene, balls[i], i);
+    if (const auto fault = place_fault(scene, rails, balls[i].position)) {
+      faults.add(ball_path(i) + ".position", *fault);
+    }
   }
   check_identities(faults, balls);
   if (scene.ball_ball) check_overlaps(faults, balls, scene.ball.radius_m);
   return faults.take();
 }
 
-std::vector<Fault> faults_of(const Scene&, const State& state, const Strike& strike) {
+std::vector<Fault> faults_of(const Scene& scene, const State& state, const Strike& strike) {
   Faults faults;
   const auto ball = std::find_if(state.balls.begin(), state.balls.end(),
                                  [&](const Ball& b) { return b.id == strike.ball; });
@@ -240,6 +389,13 @@ std::vector<Fault> faults_of(const Scene&, const State& state, const Strike& str
     faults.add("strike.direction", "has length " + shown(size) + "; it must be a unit vector");
   }
   faults.range("strike.speed", strike.speed_m_s, 0, max_speed_m_s);
+  const double offset = length(Vec2{strike.tip.side, strike.tip.height});
+  if (!(offset <= miscue_offset)) {
+    faults.add("strike.tip", "is " + shown(offset) + " radii from the centre; beyond " +
+                                 shown(miscue_offset) + " the cue slips off the ball");
+  } else if (offset > 0 && !std::holds_alternative<Spinning>(scene.bed.motion)) {
+    faults.add("strike.tip", "must be the centre of the ball: the scene's motion has no spin");
+  }
   return faults.take();
 }
 

@@ -252,6 +252,8 @@ inline constexpr double input_overlap_m = 1e-12;
 /// Greatest coordinate of a ball on input, m, and greatest speed, m/s.
 inline constexpr double max_coordinate_m = 1e6;
 inline constexpr double max_speed_m_s = 1e4;
+/// Greatest spin of a ball on input about each axis, rad/s.
+inline constexpr double max_spin_rad_s = 1e8;
 
 /// All faults of the balls of `state` within a faultless scene: none at all, duplicates, ranges,
 /// overlap with one another (where balls can touch) or with a cushion, balls off the bed, spin in a

@@ -15,8 +15,12 @@ std::variant<Shot, Stalled> simulate(const Scene& scene, const State& state,
 }
 
 bool may_never_rest(const Scene& scene) {
-  const auto* straight = std::get_if<Straight>(&scene.bed.motion);
-  return straight == nullptr || straight->sliding_friction == 0 || straight->rolling_friction == 0;
+  if (const auto* straight = std::get_if<Straight>(&scene.bed.motion)) {
+    return straight->sliding_friction == 0 || straight->rolling_friction == 0;
+  }
+  const auto* spinning = std::get_if<Spinning>(&scene.bed.motion);
+  return spinning == nullptr || spinning->sliding_friction == 0 ||
+         spinning->rolling_friction == 0 || spinning->spin_friction == 0;
 }
 
 }  // namespace breakshot::physics

@@ -95,14 +95,14 @@ class BasicSimulation {
     shot_.segments.reserve(8 * balls.size() + 64);
     shot_.events.reserve(256);
     for (std::size_t i = 0; i < balls.size(); ++i) {
-      Vec velocity{Real(balls[i].velocity.x), Real(balls[i].velocity.y)};
+      Moving<Real> moving{vec_of<Real>(balls[i].velocity),
+                          {Real(balls[i].spin.x), Real(balls[i].spin.y), Real(balls[i].spin.z)}};
       if (strike && strike->ball == balls[i].id) {
-        const Vec direction{Real(strike->direction.x), Real(strike->direction.y)};
-        velocity = direction / length(direction) * Real(strike->speed_m_s);
+        moving = struck(*strike);
         shot_.events.push_back(BasicStruck<Real>{Real(0), strike->ball});
       }
-      const Vec position{Real(balls[i].position.x), Real(balls[i].position.y)};
-      const Path<Real> path = laws_.path_from(balls[i].id, Real(0), position, velocity);
+      const Path<Real> path =
+          laws_.cloth.path_from(balls[i].id, Real(0), vec_of<Real>(balls[i].position), moving);
       Body<Real> body;
       body.id = balls[i].id;
       bodies_.push_back(body);
@@ -112,6 +112,17 @@ class BasicSimulation {
     calendar_.update();
   }
 
+  /// The stroke of a level cue as an impulse at the tip's place on the ball: what speed it gives,
+  /// it turns the ball by, times 5/2 of the offset.
+  Moving<Real> struck(const Strike& strike) const {
+    const Vec wanted = vec_of<Real>(strike.direction);
+    const Vec direction = wanted / length(wanted);
+    const Real speed = Real(strike.speed_m_s);
+    const Real turning = 5 * speed / (2 * laws_.radius);
+    const Vec follow = perp(direction) * (turning * Real(strike.tip.height));
+    return {direction * speed, {follow.x, follow.y, -turning * Real(strike.tip.side)}};
+  }
+
   /// The ball as it is now.
   Body<Real>& at_hand(std::uint32_t ball) {
     Body<Real>& body = bodies_[ball];
@@ -119,6 +130,7 @@ class BasicSimulation {
       body.instant = instant_;
       body.position = position_at(calendar_.path(ball).segment, now_s_);
       body.velocity = velocity_at(calendar_.path(ball).segment, now_s_);
+      body.spin = spin_at(calendar_.path(ball).segment, now_s_);
     }
     return body;
   }
@@ -170,7 +182,7 @@ class BasicSimulation {
     contacts_.begin(again ? contacts_.next_pass() : 0);
     touched_.clear();
     ended_.clear();
-    mouths_.clear();
+    at_pockets_.clear();
   }
 
   /// An appointment has come.
@@ -180,31 +192,41 @@ class BasicSimulation {
       at_hand(appointment.with);
       contacts_.add_balls(bodies_, ball, appointment.with, true);
     } else if (appointment.due == Due::cushion) {
-      meet_nose(ball, appointment.with, true);
+      meet_cushion(ball, appointment.with, true);
+    } else if (appointment.due == Due::hole) {
+      const Drop<Real>& drop = laws_.drops[appointment.with];
+      at_pockets_.push_back(
+          {ball, bodies_[ball].position - drop.centre.segment.position, drop.pocket});
+      touch(ball);
     } else {
       end_phase(ball);
     }
   }
 
   void end_phase(std::uint32_t ball) {
-    const Path<Real> path = laws_.path_after(calendar_.path(ball));
+    const Path<Real> path = laws_.cloth.path_after(calendar_.path(ball));
+    const BallId id = bodies_[ball].id;
     bodies_[ball].velocity = path.segment.velocity;
+    bodies_[ball].spin = path.segment.spin;
     ended_.push_back({ball, path});
     if (path.segment.phase == Phase::rest) {
-      shot_.events.push_back(BasicRests<Real>{now_s_, bodies_[ball].id});
+      shot_.events.push_back(BasicRests<Real>{now_s_, id});
+    } else if (path.segment.phase == Phase::spin) {
+      shot_.events.push_back(BasicSpins<Real>{now_s_, id});
     } else {
-      shot_.events.push_back(BasicRolls<Real>{now_s_, bodies_[ball].id});
+      shot_.events.push_back(BasicRolls<Real>{now_s_, id});
     }
     touch(ball);
   }
 
-  void meet_nose(std::uint32_t ball, std::uint32_t nose, bool predicted) {
-    const auto pocket = laws_.pocket_at(nose, bodies_[ball].position);
+  /// `cushion` counts the arcs after the noses.
+  void meet_cushion(std::uint32_t ball, std::uint32_t cushion, bool predicted) {
+    const auto pocket = laws_.pocket_at(cushion, bodies_[ball].position);
     if (pocket) {
-      mouths_.push_back({ball, nose, *pocket});
+      at_pockets_.push_back({ball, laws_.noses[cushion].inward, *pocket});
       touch(ball);
     } else {
-      contacts_.add_cushion(bodies_, ball, nose, predicted);
+      contacts_.add_cushion(bodies_, ball, cushion, predicted);
     }
   }
 
@@ -223,11 +245,16 @@ class BasicSimulation {
         }
       });
     }
-    std::uint32_t number = 0;
+    if (laws_.is_inside(body.position, doubt)) return;
+    std::uint32_t cushion = 0;
     for (const Nose<Real>& nose : laws_.noses) {
       const Real gap = dot(body.position - nose.from, nose.inward) - laws_.radius;
-      if (gap <= doubt && nose_touches(body, nose, gap)) meet_nose(ball, number, false);
-      ++number;
+      if (gap <= doubt && nose_touches(body, nose, gap)) meet_cushion(ball, cushion, false);
+      ++cushion;
+    }
+    for (const Arc<Real>& arc : laws_.arcs) {
+      if (arc_touches(body, arc)) meet_cushion(ball, cushion, false);
+      ++cushion;
     }
   }
 
@@ -246,18 +273,22 @@ class BasicSimulation {
            foot <= nose.extent;
   }
 
+  bool arc_touches(const Body<Real>& body, const Arc<Real>& arc) const {
+    const Real coordinate = larger(arc.distance, largest_coordinate(body.position));
+    return length(body.position - arc.centre.segment.position) - arc.distance <=
+               touch_gap(coordinate, length(body.velocity), now_s_) &&
+           faces(arc, body.position);
+  }
+
   /// Balls that still move outwards at a pocket's mouth when the contacts are resolved drop.
   void drop_balls() {
     const std::uint32_t pass = contacts_.next_pass() > 0 ? contacts_.next_pass() - 1 : 0;
-    for (const Mouth& mouth : mouths_) {
-      const Vec inward = laws_.noses[mouth.nose].inward;
-      if (!bodies_[mouth.ball].present || !(dot(bodies_[mouth.ball].velocity, inward) < 0)) {
-        continue;
-      }
-      shot_.events.push_back(
-          BasicBallPocket<Real>{now_s_, pass, bodies_[mouth.ball].id, mouth.pocket});
-      bodies_[mouth.ball].velocity = {};
-      bodies_[mouth.ball].present = false;
+    for (const AtPocket& at : at_pockets_) {
+      const bool out = dot(bodies_[at.ball].velocity, at.inward) < 0;
+      if (!bodies_[at.ball].present || !out) continue;
+      shot_.events.push_back(BasicBallPocket<Real>{now_s_, pass, bodies_[at.ball].id, at.pocket});
+      bodies_[at.ball].moving() = {};
+      bodies_[at.ball].present = false;
     }
   }
 
@@ -285,13 +316,16 @@ class BasicSimulation {
     const Body<Real>& body = bodies_[ball];
     if (!body.present) {
       Path<Real> dropped;
-      dropped.segment = {body.id, Phase::pocketed, now_s_, body.position, {}, {}};
+      dropped.segment = {body.id, Phase::pocketed, now_s_, body.position, {}, {}, {}, {}};
       return dropped;
     }
     for (const auto& [ended, path] : ended_) {
-      if (ended == ball && path.segment.velocity == body.velocity) return path;
+      if (ended == ball && path.segment.velocity == body.velocity &&
+          path.segment.spin == body.spin) {
+        return path;
+      }
     }
-    return laws_.path_from(body.id, now_s_, body.position, body.velocity);
+    return laws_.cloth.path_from(body.id, now_s_, body.position, body.moving());
   }
 
   /// One segment a ball and instant: a second set at the same instant replaces those of the first.
@@ -305,10 +339,10 @@ class BasicSimulation {
     shot_.segments.push_back(segment);
   }
 
-  /// A ball that reaches a nose where a pocket is.
-  struct Mouth {
+  /// A ball that is at a pocket: it drops unless it turns back.
+  struct AtPocket {
     std::uint32_t ball;
-    std::uint32_t nose;
+    Vec inward;  ///< back to the table, any length
     PocketId pocket;
   };
 
@@ -327,7 +361,7 @@ class BasicSimulation {
   std::size_t first_segment_ = 0;
   std::vector<std::uint32_t> touched_;
   std::vector<std::pair<std::uint32_t, Path<Real>>> ended_;
-  std::vector<Mouth> mouths_;
+  std::vector<AtPocket> at_pockets_;
   std::vector<BallId> last_balls_;
   StallCause cause_ = StallCause::events;
   std::vector<BallId> stalled_;

@@ -23,7 +23,7 @@ BallState Timeline::state(BallId ball, double time_s) const {
   const auto after = std::upper_bound(
       path.begin(), path.end(), t, [](double time, const Segment& s) { return time < s.start_s; });
   const Segment& s = after == path.begin() ? path.front() : *(after - 1);
-  return {ball, s.phase, position_at(s, t), velocity_at(s, t)};
+  return {ball, s.phase, position_at(s, t), velocity_at(s, t), spin_at(s, t)};
 }
 
 std::vector<BallState> Timeline::states(double time_s) const {

@@ -14,7 +14,7 @@ constexpr double radius = 0.028575;
 constexpr double diameter = 2 * radius;
 
 Path<double> path(Vec2 position, Vec2 velocity, const Scene& scene, double start_s = 0) {
-  return Laws<double>(scene).path_from(BallId{0}, start_s, position, velocity);
+  return Cloth<double>(scene).path_from(BallId{0}, start_s, position, {velocity, {}});
 }
 
 double meet(const Scene& scene, Vec2 p, Vec2 v, Vec2 q, Vec2 w) {

@@ -47,8 +47,9 @@ TEST(SceneFaults, NameEveryBadField) {
          s.cushions = RectangleCushions{CushionRestitution{1, 1, x}};
        }},
       {"scene.pockets.standard.cornerMouth",
-       [](Scene& s, double x) { s.pockets->corner_mouth_m = x; }},
-      {"scene.pockets.standard.sideMouth", [](Scene& s, double x) { s.pockets->side_mouth_m = x; }},
+       [](Scene& s, double x) { std::get<StandardPockets>(*s.pockets).corner_mouth_m = x; }},
+      {"scene.pockets.standard.sideMouth",
+       [](Scene& s, double x) { std::get<StandardPockets>(*s.pockets).side_mouth_m = x; }},
       {"scene.ballBall.restitution.normal",
        [](Scene& s, double x) {
          s.ball_ball = BallRestitution{x, 0};

@@ -1,0 +1,85 @@
+// The next event of one ball that takes no other ball: the end of its phase, a cushion, a hole.
+#pragma once
+
+#include <cstdint>
+
+#include "common/physics/pair_detector.hpp"
+
+namespace breakshot::physics {
+
+enum class Due : std::uint8_t { nothing, phase_end, cushion, hole, ball };
+
+/// The next event of one ball.
+template <class Real>
+struct Appointment {
+  Real time_s = never<Real>;
+  Due due = Due::nothing;
+  std::uint32_t with = 0;  ///< the nose, counting arcs after them, the hole or the other ball
+};
+
+/// Finds it. Most balls of a table with jaws never come near them: as long as a ball is between the
+/// lines of the noses, the six cushions are all there is.
+template <class Real>
+class OwnEvents {
+ public:
+  OwnEvents(const Laws<Real>& laws, Real top_speed)
+      : laws_(laws), top_speed_(top_speed), main_noses_(laws.walls.empty() ? 0 : main_noses) {}
+
+  Appointment<Real> next(const Path<Real>& path) const {
+    Appointment<Real> first;
+    if (path.end_s < never<Real>) first = {path.end_s, Due::phase_end, 0};
+    if (is_still(path.segment.phase)) return first;
+    if (main_noses_ > 0 && laws_.is_inside(path.segment.position)) {
+      Real leaves = first.time_s;
+      for (const Nose<Real>& wall : laws_.walls) {
+        leaves = smaller(leaves, cushion_time(path, wall, laws_.radius, top_speed_, leaves));
+      }
+      if (leaves == first.time_s) return first;
+      Appointment<Real> cushion = first;
+      meet_noses(path, main_noses_, cushion);
+      if (cushion.time_s <= leaves) return cushion;
+    }
+    meet_noses(path, laws_.noses.size(), first);
+    meet_circles(path, first);
+    return first;
+  }
+
+ private:
+  static constexpr std::size_t main_noses = 6;
+
+  void meet_noses(const Path<Real>& path, std::size_t count, Appointment<Real>& first) const {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Real t = cushion_time(path, laws_.noses[i], laws_.radius, top_speed_, first.time_s);
+      if (t < first.time_s) first = {t, Due::cushion, i};
+    }
+  }
+
+  void meet_circles(const Path<Real>& path, Appointment<Real>& first) const {
+    for (std::uint32_t i = 0; i < laws_.arcs.size(); ++i) {
+      const Arc<Real>& arc = laws_.arcs[i];
+      if (stays_away(path, arc.centre, arc.distance, first.time_s)) continue;
+      const Real t = arc_time(path, arc);
+      if (t < first.time_s) first = {t, Due::cushion, laws_.cushion_of_arc(i)};
+    }
+    for (std::uint32_t i = 0; i < laws_.drops.size(); ++i) {
+      const Drop<Real>& drop = laws_.drops[i];
+      if (stays_away(path, drop.centre, drop.radius, first.time_s)) continue;
+      const Real t = drop_time(path, drop);
+      if (t < first.time_s) first = {t, Due::hole, i};
+    }
+  }
+
+  bool stays_away(const Path<Real>& path, const Path<Real>& centre, Real distance,
+                  Real until_s) const {
+    const BasicSegment<Real>& s = path.segment;
+    const Real span = smaller(until_s - s.start_s, Real(longest_span_s<Real>));
+    return PairDetector<Real>(distance).separation(centre.segment.position - s.position,
+                                                   -s.velocity, -s.acceleration, span) > 0;
+  }
+
+  const Laws<Real>& laws_;
+  Real top_speed_;
+  std::size_t main_noses_;
+};
+
+}  // namespace breakshot::physics
