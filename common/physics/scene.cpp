@@ -251,14 +251,34 @@ std::string too_near(double distance_m, const std::string& what, double radius_m
          "; a ball's centre must be at least its radius " + shown(radius_m) + " m away";
 }
 
+bool beyond_noses(Vec2 inside, Vec2 place) {
+  return std::abs(place.x) > inside.x || std::abs(place.y) > inside.y;
+}
+
+/// Whether a place is between the two facings of a pocket, no further from the hole than its mouth.
+bool in_a_mouth(const Rails& rails, Vec2 place) {
+  for (const Hole& hole : rails.holes) {
+    const std::uint32_t first_jaw = 4 + 2 * number(hole.pocket);
+    bool between = true;
+    double reach = hole.radius_m;
+    for (const RailSegment& rail : rails.segments) {
+      if (number(rail.id) / 2 * 2 != first_jaw) continue;
+      between = between && cross(rail.nose.to - rail.nose.from, place - rail.nose.from) > 0;
+      reach = std::max(
+          {reach, length(rail.nose.from - hole.centre), length(rail.nose.to - hole.centre)});
+    }
+    if (between && length(place - hole.centre) <= reach) return true;
+  }
+  return false;
+}
+
 /// A ball may not stand in a cushion: in front of its nose, within its extent, nearer than a
 /// radius. Inside a rectangle it may not be beyond the line of the noses either, and over a hole it
 /// would fall.
 std::optional<std::string> place_fault(const Scene& scene, const Rails& rails, Vec2 place) {
   const double radius = scene.ball.radius_m;
   const double nearest = radius - input_overlap_m;
-  if (rails.inside &&
-      (std::abs(place.x) > rails.inside->x || std::abs(place.y) > rails.inside->y)) {
+  if (rails.inside && beyond_noses(*rails.inside, place) && !in_a_mouth(rails, place)) {
     return "is beyond the line of the cushions; |x| must be at most " + shown(rails.inside->x) +
            ", |y| at most " + shown(rails.inside->y);
   }

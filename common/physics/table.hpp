@@ -12,6 +12,11 @@ namespace breakshot::physics {
 /// The paper's table: 8 ft, 92 x 46 in between the noses, m.
 inline constexpr double eight_foot_length_m = 2.3368;
 inline constexpr double eight_foot_width_m = 1.1684;
+/// Ball sets: the WPA's, in the weight of the paper; UMB's carom balls; WPBSA's snooker balls.
+inline constexpr BallKind pool_ball{0.028575, 0.155922};
+inline constexpr BallKind carom_ball{0.03075, 0.21};
+inline constexpr BallKind snooker_ball{0.02625, 0.142};
+
 /// The paper's racks leave 1/10 in between balls, m.
 inline constexpr double rack_gap_m = 0.00254;
 
@@ -36,7 +41,11 @@ struct Preset {
   Scene scene;
 };
 
-/// All presets; the first is the default.
+/// Tables of all games, each with everything that is modelled: their data, whether a game for them
+/// is offered or not.
+const std::vector<Preset>& tables();
+
+/// The tables that 8-ball is offered on; the first is the default.
 const std::vector<Preset>& presets();
 
 }  // namespace breakshot::physics

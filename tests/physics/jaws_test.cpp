@@ -107,6 +107,7 @@ TEST(Jaws, LetABallHangOnTheLip) {
   const double left = length(state_after(hangs).balls[0].position - hole.centre) - hole.radius_m;
   EXPECT_GE(left, -1e-15);
   EXPECT_LT(left, 1e-9);
+  EXPECT_TRUE(faults_of(scene, state_after(hangs)).empty());
 }
 
 TEST(Jaws, RattleAFastBallThatIsOffTheLine) {
@@ -151,6 +152,9 @@ TEST(Jaws, KeepEveryBallOnTheTableOrInAPocket) {
     const Audit checked = audit(scene, shot);
     ASSERT_LT(checked.worst_penetration_m, 1e-13) << "seed " << seed;
     ASSERT_LT(checked.worst_rise_J, 1e-12) << "seed " << seed;
+    if (!state_after(shot).balls.empty()) {
+      ASSERT_TRUE(faults_of(scene, state_after(shot)).empty()) << "seed " << seed;
+    }
   }
 }
 
