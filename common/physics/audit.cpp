@@ -1,6 +1,7 @@
 #include "common/physics/audit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "common/physics/resolve.hpp"
@@ -20,6 +21,7 @@ class Auditor {
   Audit run() {
     while (segment_ < shot_.segments.size() && shot_.segments[segment_].start_s == 0) take();
     audit_.energy_start_J = energy(0);
+    top_speed_ = std::sqrt(2 * audit_.energy_start_J / scene_.ball.mass_kg);
     check_overlaps(0);
     skip_events(0);
     while (segment_ < shot_.segments.size()) {
@@ -73,8 +75,8 @@ class Auditor {
       const Vec2 between = position_at(b, time_s) - position_at(a, time_s);
       const Vec2 velocity = velocity_at(b, time_s) - velocity_at(a, time_s);
       const double approach = -dot(between, velocity) / length(between);
-      const double apart = laws_.ball_ball->bounce.elastic_below_m_s;
-      if (contact->pass == 0 && approach > resting_share * apart) continue;
+      const double apart = laws_.hop_of(laws_.ball_ball->bounce);
+      if (contact->pass == 0 && approach > laws_.resting_share * apart) continue;
       sum += scene_.ball.mass_kg * apart * apart / 4;
     }
     return sum;
@@ -85,7 +87,7 @@ class Auditor {
     if (!laws_.cloth.spins()) return 0;
     double apart = 0;
     for (const NoseResponse<double>& nose : laws_.responses) {
-      apart = std::max(apart, nose.bounce.elastic_below_m_s);
+      apart = std::max(apart, laws_.hop_of(nose.bounce));
     }
     return scene_.ball.mass_kg * apart * apart / 2;
   }
@@ -95,35 +97,42 @@ class Auditor {
     for (const Segment& segment : now_) {
       if (segment.phase != Phase::pocketed) places.push_back(position_at(segment, time_s));
     }
-    for (const Vec2 place : places) check_cushions(place);
+    for (const Vec2 place : places) check_cushions(place, time_s);
     if (!laws_.ball_ball) return;
     std::sort(places.begin(), places.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
     for (std::size_t i = 0; i < places.size(); ++i) {
       for (std::size_t j = i + 1; j < places.size(); ++j) {
         if (places[j].x - places[i].x > laws_.diameter) break;
-        deepen(laws_.diameter - length(places[j] - places[i]));
+        deepen(laws_.diameter - length(places[j] - places[i]),
+               larger(largest_coordinate(places[i]), largest_coordinate(places[j])), time_s);
       }
     }
   }
 
   /// Inside a rectangle no cushion line may be passed; any other cushion only counts where the
   /// ball's centre is in front of it.
-  void check_cushions(Vec2 place) {
+  void check_cushions(Vec2 place, double time_s) {
+    const double coordinate = largest_coordinate(place);
     const bool enclosed = laws_.inside && laws_.drops.empty();
     for (const Nose<double>& nose : laws_.noses) {
       const Vec2 offset = place - nose.from;
       const double distance = dot(offset, nose.inward);
       const double foot = dot(offset, nose.along);
       const bool in_front = distance >= 0 && foot >= 0 && foot <= nose.extent;
-      if (enclosed || in_front) deepen(laws_.radius - distance);
+      if (enclosed || in_front) deepen(laws_.radius - distance, coordinate, time_s);
     }
     for (const Arc<double>& arc : laws_.arcs) {
-      if (faces(arc, place)) deepen(arc.distance - length(place - arc.centre.segment.position));
+      if (!faces(arc, place)) continue;
+      deepen(arc.distance - length(place - arc.centre.segment.position),
+             larger(coordinate, arc.distance), time_s);
     }
   }
 
-  void deepen(double overlap_m) {
+  void deepen(double overlap_m, double coordinate_m, double time_s) {
+    const double explained =
+        8 * ulp(larger(coordinate_m, laws_.diameter)) + 2 * top_speed_ * ulp(time_s);
     audit_.worst_penetration_m = std::max(audit_.worst_penetration_m, overlap_m);
+    audit_.worst_excess_m = std::max(audit_.worst_excess_m, overlap_m - explained);
   }
 
   const Scene& scene_;
@@ -131,6 +140,7 @@ class Auditor {
   Laws<double> laws_;
   std::vector<BallId> balls_;
   std::vector<Segment> now_;
+  double top_speed_ = 0;
   std::size_t segment_ = 0;
   std::size_t event_ = 0;
   Audit audit_;

@@ -28,6 +28,17 @@ struct Bounce {
   }
 };
 
+/// A contact that touches, hardly parts and would close again under the accelerations of its balls
+/// rests on them: it separates at a speed of its own, which makes a bounded number of hops of a
+/// push. With e < 1 that is elastic_below. Elastic contacts have none; where spin can push one ball
+/// against another for long they take this, m/s: else a push is an endless run of ever the same
+/// tiny hop.
+inline constexpr double elastic_hop_m_s = 1e-4;
+
+/// "Hardly" is this share of that speed: without spin, and with it, where pushes last.
+inline constexpr double resting_share = 1e-3;
+inline constexpr double resting_share_with_spin = 0.1;
+
 /// What happens across the normal of a contact.
 enum class Touch : std::uint8_t {
   smooth,      ///< nothing, or a share of the tangential velocity is lost
@@ -98,6 +109,10 @@ struct Laws {
     return inside && position.x <= inside->x - margin && position.x >= margin - inside->x &&
            position.y <= inside->y - margin && position.y >= margin - inside->y;
   }
+  /// The speed at which a resting contact separates; 0 if it never rests.
+  Real hop_of(const Bounce<Real>& bounce) const {
+    return bounce.restitution == 1 ? elastic_hop_m_s : bounce.elastic_below_m_s;
+  }
   /// The place of an arc among all cushions: after the straight ones.
   std::uint32_t cushion_of_arc(std::size_t arc) const {
     return static_cast<std::uint32_t>(noses.size() + arc);
@@ -115,6 +130,8 @@ struct Laws {
   std::optional<PocketMouths<Real>> mouths;
   BasicVec2<Real> half_bed;  ///< of a rectangle
   std::optional<PairResponse<Real>> ball_ball;
+  Real elastic_hop_m_s{};  ///< 0 where elastic contacts do not rest
+  Real resting_share{};
   double perturb_balls = 0;
   double perturb_cushions = 0;
 };
@@ -231,6 +248,8 @@ Laws<Real>::Laws(const Scene& scene)
     half_bed = {Real(*scene.bed.length_m) / 2, Real(*scene.bed.width_m) / 2};
   }
   if (scene.ball_ball) ball_ball = std::visit(PairReader<Real>{scene}, *scene.ball_ball);
+  if (cloth.spins()) elastic_hop_m_s = Real(physics::elastic_hop_m_s);
+  resting_share = Real(cloth.spins() ? resting_share_with_spin : physics::resting_share);
   if (scene.perturbation) {
     perturb_balls = scene.perturbation->ball;
     perturb_cushions = scene.perturbation->cushion;

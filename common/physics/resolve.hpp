@@ -24,11 +24,6 @@ namespace breakshot::physics {
 /// Passes within one set, beyond which the shot is stalled.
 inline constexpr std::uint32_t max_passes = 10'000;
 
-/// A contact with e < 1 that parts at no more than this share of its elastic_below, and closes
-/// again under its accelerations, is one that rests. With three balls in a row friction eats the
-/// hops of the one in the middle: without a least hop they would become ever smaller and never end.
-inline constexpr double resting_share = 1e-3;
-
 /// Two things that touch: balls `a` < `b`, or ball `a` and cushion `b`, counting arcs after noses.
 template <class Real>
 struct Contact {
@@ -448,8 +443,8 @@ class ContactSet {
     bool any = false;
     for (Contact<Real>& contact : contacts_) {
       const Real speed = approach(bodies, contact, contact.normal);
-      const Real apart = bounce_of(contact).elastic_below_m_s;
-      const Real slow = larger(unresolved_, apart * Real(resting_share));
+      const Real apart = laws_.hop_of(bounce_of(contact));
+      const Real slow = larger(unresolved_, apart * laws_.resting_share);
       const bool rests = magnitude(speed) <= slow && apart > 0 && closes(bodies, contact);
       if (rests) {
         const Real change = apart + speed;
