@@ -7,12 +7,13 @@
 // both sides of the turn of the approach too. What remains of the impact, in impulse without
 // friction, is known at any time; each step takes an equal share of it at the rate at which the
 // last step made it fall, and a purely normal impulse, small of second order, then meets the end
-// exactly. So the result is a continuous function of the state before
-// (but where friction changes the rate by half within a step), and the energy balance is exact:
-// - taken + e^2 taken - friction.
+// exactly. So the result is a continuous function of the state before (but where friction changes
+// the rate by half within a step), and the energy balance is exact: e^2 - 1 times the work taken,
+// less what friction takes.
 #pragma once
 
-#include "common/physics/vec.hpp"
+#include <cmath>
+#include <cstdint>
 
 namespace breakshot::physics {
 
@@ -26,6 +27,10 @@ inline constexpr int impact_steps = 32;
 /// wedges a ball, or draws it in, the impact is longer; what then remains is given without
 /// friction.
 inline constexpr int longest_impact = 16;
+
+/// Friction may draw a ball in: 2^50 times the approach at the start is more than 100 m/s are for
+/// 1e-12 m/s, and its square is within the range of every scalar. There the impact ends at once.
+inline constexpr std::int64_t greatest_growth = std::int64_t{1} << 50;
 
 /// Work in units of start^2 / mobility, approaches in units of the approach at the start.
 template <class Real>
@@ -98,7 +103,7 @@ class Impact {
     Real rate = 1;
     for (int step = 0; step < longest_impact * steps && left > 0; ++step) {
       const Real before = remaining();
-      if (!(before > 0)) break;
+      if (!(before > 0) || before > Real(greatest_growth)) break;
       const Impact start = *this;
       advance(before / (rate * Real(left)));
       const Real gone = before - remaining();

@@ -166,6 +166,16 @@ TEST(Mathavan2010, ScalesWithSpeed) {
   EXPECT_NEAR(slower.spin.z / slow, after.spin.z, 1e-12);
 }
 
+TEST(Mathavan2010, StaysFiniteWhereFrictionDrawsAHardlyMovingBallIn) {
+  const NoseLaw<double> law{radius, radius * 1.9, 10, 10, 0};
+  for (const double speed : {1e-3, 1e-9, 1e-100, 1e-300}) {
+    const Ball ball{{0, speed}, {100 / radius, 0, 0}};
+    const Ball after = after_mathavan2010(ball, up, 1.0, law);
+    EXPECT_LE(support::energy_of(after, radius), support::energy_of(ball, radius));
+    EXPECT_LE(after.velocity.y, 0);
+  }
+}
+
 TEST(Mathavan2010, HoldsForEveryScalar) {
   const Ball ball{{0.3, 1}, {-20, 10, 30}};
   const Ball after = after_mathavan2010(ball, up, 0.98, published());
