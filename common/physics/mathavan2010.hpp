@@ -32,7 +32,7 @@ struct NoseContact {
   Real cosine{};
   Real friction{};
   Real cloth_friction{};
-  Real on_bed{};
+  TwoHalves<Real> on_bed{};
 
   Real approach() const { return cosine * ball.velocity.y; }
   Real mobility() const { return cosine * cosine; }
@@ -47,10 +47,10 @@ struct NoseContact {
                             {Real(7) / 2, Real(5) / 2 + sine * sine}, friction * impulse);
     push(impulse);
     ball.strike(nose, {held.x, -sine * held.y, cosine * held.y});
-    on_bed = not_negative(sine * impulse - cosine * held.y);
+    on_bed.add(not_negative(sine * impulse - cosine * held.y));
   }
 
-  void rub() { rub_on_bed(ball, 2 * cloth_friction * on_bed); }
+  void rub() { rub_on_bed(ball, cloth_friction * not_negative(on_bed.both())); }
 };
 
 /// The ball after it has met a nose in direction `outward`, a unit vector from the ball to the
@@ -64,7 +64,7 @@ Moving<Real> after_mathavan2010(const Moving<Real>& ball, BasicVec2<Real> outwar
   if (!(before.velocity.y > 0)) return ball;
   const Real sine = (law.height - law.radius) / law.radius;
   const NoseContact<Real> contact{
-      before, sine, sqrt((1 - sine) * (1 + sine)), law.friction, law.cloth_friction, 0};
+      before, sine, sqrt((1 - sine) * (1 + sine)), law.friction, law.cloth_friction, {}};
   Impact<NoseContact<Real>, Real> impact(contact, restitution);
   return frame.changed(ball, before, impact.after(steps).ball);
 }

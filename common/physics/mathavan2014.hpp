@@ -28,7 +28,7 @@ struct PairContact {
   Facing<Real> b;
   Real friction{};
   Real cloth_friction{};
-  Real upwards{};  ///< what the last press gave to a, and took from b
+  TwoHalves<Real> upwards{};  ///< impulses that a was given, and b lost
 
   Real approach() const { return a.velocity.y - b.velocity.y; }
   Real mobility() const { return 2; }
@@ -44,12 +44,12 @@ struct PairContact {
     push(impulse);
     a.strike({0, 1, 0}, {held.x, 0, held.y});
     b.strike({0, -1, 0}, {-held.x, 0, -held.y});
-    upwards = held.y;
+    upwards.add(held.y);
   }
 
   void rub() {
-    const Real limit = 2 * cloth_friction * (upwards < 0 ? -upwards : upwards);
-    rub_on_bed(upwards < 0 ? a : b, limit);
+    const Real lift = upwards.both();
+    rub_on_bed(lift < 0 ? a : b, cloth_friction * (lift < 0 ? -lift : lift));
   }
 };
 
@@ -59,7 +59,7 @@ template <class Real>
 void collide_mathavan2014(Moving<Real>& a, Moving<Real>& b, BasicVec2<Real> normal,
                           Real restitution, const PairLaw<Real>& law, int steps = impact_steps) {
   const ContactFrame<Real> frame{normal, law.radius};
-  const PairContact<Real> before{frame.seen(a), frame.seen(b), law.a, law.cloth_friction, 0};
+  const PairContact<Real> before{frame.seen(a), frame.seen(b), law.a, law.cloth_friction, {}};
   if (!(before.approach() > 0)) return;
   Impact<PairContact<Real>, Real> impact(before, restitution);
   const PairContact<Real> after = impact.after(steps);
