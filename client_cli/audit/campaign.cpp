@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "client_cli/audit/random_scenario.hpp"
+#include "common/physics/cloth.hpp"
 #include "common/physics/timeline.hpp"
 
 namespace breakshot::client {
@@ -23,7 +24,7 @@ void take_shot(Findings& findings, const wire::Scenario& scenario, const physics
   const physics::Audit audit = physics::audit(scenario.scene, shot);
   const auto events = static_cast<double>(shot.events.size());
   findings.events += shot.events.size();
-  findings.most_events.take(events, number, static_cast<double>(physics::max_match_events));
+  findings.most_events.take(events, number, physics::never<double>);
   if (audit.energy_start_J > 0) {
     findings.rise.take(audit.worst_rise_J / audit.energy_start_J, number, allowed_rise);
   }

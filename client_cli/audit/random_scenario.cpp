@@ -150,8 +150,8 @@ State scattered(Draws& draws, const Scene& scene) {
 
 Strike stroke(Draws& draws, const Scene& scene, bool breaks) {
   Strike strike;
-  const double angle = breaks ? draws.one_of({0, draws.between(-0.1, 0.1)})
-                              : draws.between(-pi, pi);
+  const double angle =
+      breaks ? draws.one_of({0, draws.between(-0.1, 0.1)}) : draws.between(-pi, pi);
   strike.direction = direction_of(angle);
   strike.speed_m_s = draws.scale(breaks ? 1 : 0.01, 12);
   if (std::holds_alternative<Spinning>(scene.bed.motion) && draws.one_in(2)) {
@@ -177,7 +177,6 @@ wire::Scenario random_scenario(std::uint64_t seed, std::uint32_t number) {
   for (std::size_t i = 0; i < 4; ++i) {
     scenario.seed.seed[8 + i] = static_cast<std::uint8_t>(number >> 8 * i);
   }
-  scenario.limits.max_events = max_match_events;
   if (may_never_rest(scenario.scene)) scenario.limits.horizon_s = 3;
   return scenario;
 }

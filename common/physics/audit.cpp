@@ -82,9 +82,8 @@ class Auditor {
     return sum;
   }
 
-  /// A spinning ball may rest against a cushion that it pushes.
+  /// A ball may rest against a cushion, that it slows down from or that its spin pushes it to.
   double allowed_at_cushion() const {
-    if (!laws_.cloth.spins()) return 0;
     double apart = 0;
     for (const NoseResponse<double>& nose : laws_.responses) {
       apart = std::max(apart, laws_.hop_of(nose.bounce));

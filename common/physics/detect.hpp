@@ -192,9 +192,14 @@ Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, R
   const Real coordinate = larger(radius, largest_coordinate(s.position));
   if (gap <= touch_gap_bound(coordinate, path.speed, s.start_s) &&
       gap <= touch_gap(coordinate, path.speed, s.start_s)) {
-    // Deeper than rounding can have pushed it, the ball is not in front of this cushion.
-    if (gap < -touch_gap(coordinate, 2 * top_speed, s.start_s)) return never<Real>;
-    if (!within(Real(0))) return never<Real>;
+    // Deeper than rounding can have pushed it, or before its end, the ball is beside this cushion:
+    // it may come out in front of it and turn back.
+    if (gap < -touch_gap(coordinate, 2 * top_speed, s.start_s) || !within(Real(0))) {
+      const Real square = towards * towards + 2 * pull * gap;
+      if (!(towards < 0 && pull > 0 && square > 0)) return never<Real>;
+      const Real t = (sqrt(square) - towards) / pull;
+      return s.start_s + t <= path.end_s && within(t) ? s.start_s + t : never<Real>;
+    }
     const Real unresolved = unresolved_speed(path.speed);
     if (towards > unresolved) return s.start_s;
     if (pull <= 0) return never<Real>;

@@ -31,10 +31,8 @@ struct Bounce {
 /// A contact that touches, hardly parts and would close again under the accelerations of its balls
 /// rests on them: it separates at a speed of its own, which makes a bounded number of hops of a
 /// push. With e < 1 that is elastic_below. Elastic contacts have none; where spin can push one ball
-/// against another for long they take this, m/s: else a push is an endless run of ever the same
-/// tiny hop.
-inline constexpr double elastic_hop_m_s = 1e-4;
-
+/// against another for long they take the default of the others: else a push is an endless run of
+/// ever the same tiny hop.
 /// "Hardly" is this share of that speed: without spin, and with it, where pushes last.
 inline constexpr double resting_share = 1e-3;
 inline constexpr double resting_share_with_spin = 0.1;
@@ -248,7 +246,7 @@ Laws<Real>::Laws(const Scene& scene)
     half_bed = {Real(*scene.bed.length_m) / 2, Real(*scene.bed.width_m) / 2};
   }
   if (scene.ball_ball) ball_ball = std::visit(PairReader<Real>{scene}, *scene.ball_ball);
-  if (cloth.spins()) elastic_hop_m_s = Real(physics::elastic_hop_m_s);
+  if (cloth.spins()) elastic_hop_m_s = Real(default_elastic_below_m_s);
   resting_share = Real(cloth.spins() ? resting_share_with_spin : physics::resting_share);
   if (scene.perturbation) {
     perturb_balls = scene.perturbation->ball;

@@ -24,6 +24,11 @@ namespace breakshot::physics {
 /// Passes within one set, beyond which the shot is stalled.
 inline constexpr std::uint32_t max_passes = 10'000;
 
+/// Passes after which a set with e < 1 that is still not at peace loses all that still approaches,
+/// without restitution or friction: balls wedged between others or in a corner, which would hand
+/// ever less back and forth.
+inline constexpr std::uint32_t patient_passes = 1'000;
+
 /// Two things that touch: balls `a` < `b`, or ball `a` and cushion `b`, counting arcs after noses.
 template <class Real>
 struct Contact {
@@ -88,6 +93,7 @@ class ContactSet {
   bool settle(std::vector<Body<Real>>& bodies, Real time_s, Touching&& touching) {
     std::size_t reached = 0;
     const std::uint32_t limit = pass_ + max_passes;
+    impatient_from_ = pass_ + patient_passes;
     // Every pass may bring in more balls, whose contacts come in with them.
     for (;; ++pass_) {
       if (pass_ == limit) return false;
@@ -296,19 +302,49 @@ class ContactSet {
       rates_.push_back(-speed);
     }
     const Real restitution = restitution_of(set, largest);
-    if (set.size() == 1) {
+    if (pass_ >= impatient_from_ && wears(set)) {
+      project(bodies, set, Real(1));
+    } else if (set.size() == 1) {
       collide_one(bodies, set[0], largest, restitution);
-      return;
+    } else {
+      collide_many(bodies, set, restitution);
     }
+    if (!laws_.cloth.spins()) forget_spin(bodies, set);
+  }
+
+  /// A motion without spin keeps none between contacts either.
+  static void forget_spin(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
+    for (const Contact<Real>& c : set) {
+      bodies[c.a].spin = {};
+      if (!c.cushion) bodies[c.b].spin = {};
+    }
+  }
+
+  void collide_many(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set,
+                    Real restitution) {
+    project(bodies, set, 1 + restitution);
+    for (std::size_t k = 0; k < set.size(); ++k) hold(bodies, set[k], normals_[k]);
+    rub(bodies, set);
+  }
+
+  /// Normal impulses: `factor` times those after which no contact of the set approaches.
+  void project(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set,
+               Real factor) {
     const std::vector<Real> gram = gram_of(set);
     NonNegativeImpulses<Real> impulses(gram, rates_);
     sizes_ = impulses.solve();
     for (std::size_t k = 0; k < set.size(); ++k) {
-      sizes_[k] *= 1 + restitution;
+      sizes_[k] *= factor;
       apply(bodies, set[k], normals_[k], sizes_[k]);
     }
-    for (std::size_t k = 0; k < set.size(); ++k) hold(bodies, set[k], normals_[k]);
-    rub(bodies, set);
+  }
+
+  /// Whether a contact of the set takes energy.
+  bool wears(const std::vector<Contact<Real>>& set) const {
+    return std::any_of(set.begin(), set.end(), [this](const Contact<Real>& c) {
+      return bounce_of(c).restitution < 1 || touch_of(c) != Touch::smooth ||
+             (c.cushion && laws_.responses[c.b].tangential < 1);
+    });
   }
 
   /// The direct path of nearly all contacts.
@@ -473,6 +509,7 @@ class ContactSet {
   PhiloxKey key_;
   Real unresolved_{};
   std::uint32_t pass_ = 0;
+  std::uint32_t impatient_from_ = 0;
   std::vector<Contact<Real>> contacts_;
   std::vector<Contact<Real>> approaching_;
   std::vector<std::uint32_t> struck_;
