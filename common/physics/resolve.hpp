@@ -9,36 +9,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/physics/body.hpp"
-#include "common/physics/detect.hpp"
 #include "common/physics/event.hpp"
-#include "common/physics/han2005.hpp"
-#include "common/physics/mathavan2010.hpp"
-#include "common/physics/mathavan2014.hpp"
 #include "common/physics/perturbation.hpp"
-#include "common/physics/projection.hpp"
-#include "common/physics/stronge2000.hpp"
+#include "common/physics/response.hpp"
 
 namespace breakshot::physics {
 
 /// Passes within one set, beyond which the shot is stalled.
 inline constexpr std::uint32_t max_passes = 10'000;
 
-/// Passes after which a set with e < 1 that is still not at peace loses all that still approaches,
-/// without restitution or friction: balls wedged between others or in a corner, which would hand
-/// ever less back and forth.
+/// Passes after which a set that takes energy and is still not at peace loses all that approaches:
+/// balls wedged between others or in a corner, which would hand ever less back and forth.
 inline constexpr std::uint32_t patient_passes = 1'000;
-
-/// Two things that touch: balls `a` < `b`, or ball `a` and cushion `b`, counting arcs after noses.
-template <class Real>
-struct Contact {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
-  bool cushion = false;
-  bool predicted = false;  ///< the event that brought us here: logged even if nothing is left of it
-  BasicVec2<Real> normal;  ///< unit vector from a to the other
-  BasicVec2<Real> point;   ///< twice the place of the contact: sorts a set independently of numbers
-};
 
 template <class Real>
 class ContactSet {
@@ -46,7 +28,7 @@ class ContactSet {
   using Vec = BasicVec2<Real>;
 
   ContactSet(const Laws<Real>& laws, const ShotSeed& seed)
-      : laws_(laws), key_(key_of(seed, Stream::collisions)) {}
+      : laws_(laws), response_(laws), key_(key_of(seed, Stream::collisions)) {}
 
   /// Begins a set at a new instant, or goes on with one at the same instant from `first_pass`.
   void begin(std::uint32_t first_pass) {
@@ -138,14 +120,6 @@ class ContactSet {
     return unresolved_speed(2 * top);
   }
 
-  Vec relative_velocity(const std::vector<Body<Real>>& bodies, const Contact<Real>& c) const {
-    return c.cushion ? bodies[c.a].velocity : bodies[c.a].velocity - bodies[c.b].velocity;
-  }
-
-  Real approach(const std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal) const {
-    return dot(relative_velocity(bodies, c), normal);
-  }
-
   /// One pass over all contacts that approach. False if there is none.
   bool pass(std::vector<Body<Real>>& bodies, Real time_s) {
     approaching_.clear();
@@ -157,7 +131,9 @@ class ContactSet {
       }
     }
     if (approaching_.empty()) return false;
-    if (approaching_.size() == 1) {
+    if (pass_ >= impatient_from_ && response_.wears(contacts_)) {
+      stop_all(bodies);
+    } else if (approaching_.size() == 1) {
       resolve_connected(bodies, approaching_);
     } else {
       resolve_components(bodies);
@@ -177,12 +153,24 @@ class ContactSet {
     }
   }
 
+  /// The end of patience: all contacts of the instant at once, so that none can hand on to another.
+  void stop_all(std::vector<Body<Real>>& bodies) {
+    sort_by_place(contacts_);
+    normals_.clear();
+    for (const Contact<Real>& contact : contacts_) normals_.push_back(contact.normal);
+    response_.stop(bodies, contacts_, normals_);
+  }
+
+  static void sort_by_place(std::vector<Contact<Real>>& contacts) {
+    std::sort(contacts.begin(), contacts.end(), [](const auto& p, const auto& q) {
+      return p.point.x != q.point.x ? p.point.x < q.point.x : p.point.y < q.point.y;
+    });
+  }
+
   /// Splits the pass into connected sets, each solved on its own, contacts sorted by place.
   void resolve_components(std::vector<Body<Real>>& bodies) {
     std::vector<Contact<Real>> rest = approaching_;
-    std::sort(rest.begin(), rest.end(), [](const Contact<Real>& p, const Contact<Real>& q) {
-      return p.point.x != q.point.x ? p.point.x < q.point.x : p.point.y < q.point.y;
-    });
+    sort_by_place(rest);
     while (!rest.empty()) {
       std::vector<Contact<Real>> connected = {rest.front()};
       std::vector<bool> taken(rest.size());
@@ -203,11 +191,6 @@ class ContactSet {
     }
   }
 
-  static bool share_a_ball(const Contact<Real>& p, const Contact<Real>& q) {
-    return p.a == q.a || (!q.cushion && p.a == q.b) || (!p.cushion && p.b == q.a) ||
-           (!p.cushion && !q.cushion && p.b == q.b);
-  }
-
   /// Resolves one connected set with its perturbed normals. A contact that would still approach
   /// along its true normal has its rotation taken back, and the pass is done again.
   void resolve_connected(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
@@ -216,7 +199,7 @@ class ContactSet {
     keep(bodies, set);
     for (;;) {
       tilt(bodies, set);
-      collide(bodies, set);
+      response_.collide(bodies, set, normals_);
       bool again = false;
       for (std::size_t k = 0; k < set.size(); ++k) {
         if (tilts_[k] != 0 && approach(bodies, set[k], set[k].normal) > 0) {
@@ -270,207 +253,6 @@ class ContactSet {
     }
   }
 
-  const Bounce<Real>& bounce_of(const Contact<Real>& c) const {
-    return c.cushion ? laws_.responses[c.b].bounce : laws_.ball_ball->bounce;
-  }
-
-  Touch touch_of(const Contact<Real>& c) const {
-    return c.cushion ? laws_.responses[c.b].touch : laws_.ball_ball->touch;
-  }
-
-  /// The set's restitution: the smallest holds, at the set's largest approach.
-  Real restitution_of(const std::vector<Contact<Real>>& set, Real largest) const {
-    Bounce<Real> least = bounce_of(set.front());
-    for (const Contact<Real>& contact : set) {
-      const Bounce<Real>& bounce = bounce_of(contact);
-      if (bounce.restitution < least.restitution ||
-          (bounce.restitution == least.restitution &&
-           bounce.elastic_below_m_s > least.elastic_below_m_s)) {
-        least = bounce;
-      }
-    }
-    return least.at(largest);
-  }
-
-  /// Normal impulses along normals_, then what happens across them.
-  void collide(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
-    Real largest = 0;
-    rates_.clear();
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      const Real speed = approach(bodies, set[k], normals_[k]);
-      largest = speed > largest ? speed : largest;
-      rates_.push_back(-speed);
-    }
-    const Real restitution = restitution_of(set, largest);
-    if (pass_ >= impatient_from_ && wears(set)) {
-      project(bodies, set, Real(1));
-    } else if (set.size() == 1) {
-      collide_one(bodies, set[0], largest, restitution);
-    } else {
-      collide_many(bodies, set, restitution);
-    }
-    if (!laws_.cloth.spins()) forget_spin(bodies, set);
-  }
-
-  /// A motion without spin keeps none between contacts either.
-  static void forget_spin(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
-    for (const Contact<Real>& c : set) {
-      bodies[c.a].spin = {};
-      if (!c.cushion) bodies[c.b].spin = {};
-    }
-  }
-
-  void collide_many(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set,
-                    Real restitution) {
-    project(bodies, set, 1 + restitution);
-    for (std::size_t k = 0; k < set.size(); ++k) hold(bodies, set[k], normals_[k]);
-    rub(bodies, set);
-  }
-
-  /// Normal impulses: `factor` times those after which no contact of the set approaches.
-  void project(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set,
-               Real factor) {
-    const std::vector<Real> gram = gram_of(set);
-    NonNegativeImpulses<Real> impulses(gram, rates_);
-    sizes_ = impulses.solve();
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      sizes_[k] *= factor;
-      apply(bodies, set[k], normals_[k], sizes_[k]);
-    }
-  }
-
-  /// Whether a contact of the set takes energy.
-  bool wears(const std::vector<Contact<Real>>& set) const {
-    return std::any_of(set.begin(), set.end(), [this](const Contact<Real>& c) {
-      return bounce_of(c).restitution < 1 || touch_of(c) != Touch::smooth ||
-             (c.cushion && laws_.responses[c.b].tangential < 1);
-    });
-  }
-
-  /// The direct path of nearly all contacts.
-  void collide_one(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Real speed,
-                   Real restitution) {
-    const Vec normal = normals_[0];
-    const Real factor = 1 + restitution;
-    if (c.cushion) {
-      const NoseResponse<Real>& nose = laws_.responses[c.b];
-      Moving<Real>& ball = bodies[c.a].moving();
-      switch (nose.touch) {
-        case Touch::smooth:
-          apply(bodies, c, normal, factor * speed);
-          hold(bodies, c, normal);
-          return;
-        case Touch::rubs:
-          ball = after_han2005(ball, normal, restitution, nose.law);
-          return;
-        case Touch::integrated:
-          ball = after_mathavan2010(ball, normal, restitution, nose.law);
-          return;
-        case Touch::compliant:
-          ball = after_stronge2000(ball, normal, restitution, nose.law);
-          return;
-      }
-    } else if (laws_.ball_ball->touch == Touch::integrated) {
-      collide_mathavan2014(bodies[c.a].moving(), bodies[c.b].moving(), normal, restitution,
-                           laws_.ball_ball->law);
-    } else {
-      apply(bodies, c, normal, factor / 2 * speed);
-      if (laws_.ball_ball->touch == Touch::smooth) return;
-      const PairLaw<Real>& law = laws_.ball_ball->law;
-      push_pair(bodies, c, normal,
-                pair_friction(bodies[c.a].moving(), bodies[c.b].moving(), normal,
-                              factor / 2 * speed, Real(1), law));
-    }
-  }
-
-  /// Friction of all contacts of a set at once, from the same velocities. Where a ball has several
-  /// contacts, each may take its share of what would stop the slip: so energy cannot rise.
-  void rub(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
-    const Real share = Real(1) / Real(most_contacts_of_a_ball(set));
-    frictions_.clear();
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      const Contact<Real>& c = set[k];
-      const Moving<Real>& a = bodies[c.a].moving();
-      if (touch_of(c) == Touch::smooth) {
-        frictions_.push_back({});
-      } else if (c.cushion) {
-        const NoseLaw<Real>& law = laws_.responses[c.b].law;
-        frictions_.push_back(
-            nose_friction(a, nose_direction(normals_[k], law), sizes_[k], share, law));
-      } else {
-        frictions_.push_back(pair_friction(a, bodies[c.b].moving(), normals_[k], sizes_[k], share,
-                                           laws_.ball_ball->law));
-      }
-    }
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      const Contact<Real>& c = set[k];
-      if (touch_of(c) == Touch::smooth) continue;
-      if (c.cushion) {
-        const NoseLaw<Real>& law = laws_.responses[c.b].law;
-        push(bodies[c.a].moving(), nose_direction(normals_[k], law) * law.radius, frictions_[k],
-             law.radius);
-      } else {
-        push_pair(bodies, c, normals_[k], frictions_[k]);
-      }
-    }
-  }
-
-  void push_pair(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal,
-                 BasicVec3<Real> impulse) const {
-    const BasicVec3<Real> to_contact{normal.x * laws_.radius, normal.y * laws_.radius, Real(0)};
-    push(bodies[c.a].moving(), to_contact, impulse, laws_.radius);
-    push(bodies[c.b].moving(), to_contact * Real(-1), impulse * Real(-1), laws_.radius);
-  }
-
-  static std::size_t most_contacts_of_a_ball(const std::vector<Contact<Real>>& set) {
-    std::size_t most = 1;
-    for (const Contact<Real>& c : set) {
-      std::size_t of_a = 0;
-      std::size_t of_b = 0;
-      for (const Contact<Real>& other : set) {
-        of_a += has_ball(other, c.a);
-        of_b += !c.cushion && has_ball(other, c.b);
-      }
-      most = std::max({most, of_a, of_b});
-    }
-    return most;
-  }
-
-  static bool has_ball(const Contact<Real>& c, std::uint32_t ball) {
-    return c.a == ball || (!c.cushion && c.b == ball);
-  }
-
-  std::vector<Real> gram_of(const std::vector<Contact<Real>>& set) const {
-    const std::size_t n = set.size();
-    std::vector<Real> gram(n * n);
-    for (std::size_t k = 0; k < n; ++k) {
-      for (std::size_t l = 0; l < n; ++l) {
-        const Real product = dot(normals_[k], normals_[l]);
-        Real& sum = gram[k * n + l];
-        if (set[k].a == set[l].a) sum += product;
-        if (!set[k].cushion && set[k].b == set[l].a) sum -= product;
-        if (!set[l].cushion && set[k].a == set[l].b) sum -= product;
-        if (!set[k].cushion && !set[l].cushion && set[k].b == set[l].b) sum += product;
-        if (k == l) sum = set[k].cushion ? Real(1) : Real(2);
-      }
-    }
-    return gram;
-  }
-
-  void apply(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal,
-             Real speed) const {
-    bodies[c.a].velocity = bodies[c.a].velocity - normal * speed;
-    if (!c.cushion) bodies[c.b].velocity = bodies[c.b].velocity + normal * speed;
-  }
-
-  void hold(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal) const {
-    if (!c.cushion || laws_.responses[c.b].tangential == 1) return;
-    const Vec tangent = perp(normal);
-    Vec& velocity = bodies[c.a].velocity;
-    const Real lost = (1 - laws_.responses[c.b].tangential) * dot(velocity, tangent);
-    velocity = velocity - tangent * lost;
-  }
-
   /// Contacts with e < 1 that touch, hardly part and would close again under their accelerations
   /// separate at the speed below which such contacts are elastic: a push becomes a bounded number
   /// of hops. And a predicted contact of which rounding has left no approach is logged all the
@@ -479,12 +261,12 @@ class ContactSet {
     bool any = false;
     for (Contact<Real>& contact : contacts_) {
       const Real speed = approach(bodies, contact, contact.normal);
-      const Real apart = laws_.hop_of(bounce_of(contact));
+      const Real apart = laws_.hop_of(response_.bounce_of(contact));
       const Real slow = larger(unresolved_, apart * laws_.resting_share);
-      const bool rests = magnitude(speed) <= slow && apart > 0 && closes(bodies, contact);
+      const bool rests = magnitude(speed) <= slow && apart > 0 && response_.closes(bodies, contact);
       if (rests) {
         const Real change = apart + speed;
-        apply(bodies, contact, contact.normal, contact.cushion ? change : change / 2);
+        response_.apply(bodies, contact, contact.normal, contact.cushion ? change : change / 2);
       }
       if (rests || contact.predicted) {
         append_event(bodies, contact, time_s);
@@ -495,17 +277,8 @@ class ContactSet {
     return any;
   }
 
-  /// Whether the second derivative of the gap is negative.
-  bool closes(const std::vector<Body<Real>>& bodies, const Contact<Real>& c) const {
-    const Vec pull = laws_.cloth.acceleration_of(bodies[c.a].moving());
-    if (c.cushion) return dot(pull, c.normal) > 0;
-    const Vec velocity = relative_velocity(bodies, c);
-    const Vec acceleration = pull - laws_.cloth.acceleration_of(bodies[c.b].moving());
-    const Vec between = bodies[c.b].position - bodies[c.a].position;
-    return dot(velocity, velocity) - dot(acceleration, between) < 0;
-  }
-
   const Laws<Real>& laws_;
+  Response<Real> response_;
   PhiloxKey key_;
   Real unresolved_{};
   std::uint32_t pass_ = 0;
@@ -518,9 +291,6 @@ class ContactSet {
   std::vector<Vec> normals_;
   std::vector<Moving<Real>> before_;
   std::vector<Real> tilts_;
-  std::vector<Real> rates_;
-  std::vector<Real> sizes_;
-  std::vector<BasicVec3<Real>> frictions_;
 };
 
 }  // namespace breakshot::physics
