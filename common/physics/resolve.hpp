@@ -18,8 +18,9 @@ namespace breakshot::physics {
 /// Passes within one set, beyond which the shot is stalled.
 inline constexpr std::uint32_t max_passes = 10'000;
 
-/// Passes after which a set that takes energy and is still not at peace loses all that approaches:
-/// balls wedged between others or in a corner, which would hand ever less back and forth.
+/// Passes at one instant after which a set that takes energy and is still not at peace loses all
+/// that approaches: balls wedged between others or in a corner, which would hand ever less back and
+/// forth.
 inline constexpr std::uint32_t patient_passes = 1'000;
 
 template <class Real>
@@ -75,7 +76,6 @@ class ContactSet {
   bool settle(std::vector<Body<Real>>& bodies, Real time_s, Touching&& touching) {
     std::size_t reached = 0;
     const std::uint32_t limit = pass_ + max_passes;
-    impatient_from_ = pass_ + patient_passes;
     // Every pass may bring in more balls, whose contacts come in with them.
     for (;; ++pass_) {
       if (pass_ == limit) return false;
@@ -131,7 +131,7 @@ class ContactSet {
       }
     }
     if (approaching_.empty()) return false;
-    if (pass_ >= impatient_from_ && response_.wears(contacts_)) {
+    if (pass_ >= patient_passes && response_.wears(contacts_)) {
       stop_all(bodies);
     } else if (approaching_.size() == 1) {
       resolve_connected(bodies, approaching_);
@@ -282,7 +282,6 @@ class ContactSet {
   PhiloxKey key_;
   Real unresolved_{};
   std::uint32_t pass_ = 0;
-  std::uint32_t impatient_from_ = 0;
   std::vector<Contact<Real>> contacts_;
   std::vector<Contact<Real>> approaching_;
   std::vector<std::uint32_t> struck_;
