@@ -120,9 +120,10 @@ Problem set_tip(Stance& stance, const Moment& moment, const physics::Tip& tip) {
       !std::holds_alternative<physics::Spinning>(moment.scene.bed.motion)) {
     return "The balls of this table do not spin; only the centre can be struck.";
   }
-  if (!(physics::length(physics::Vec2{tip.side, tip.height}) <= physics::miscue_offset)) {
-    return "There the cue would slip: the tip must be at most " +
-           number_text(physics::miscue_offset, 1) + " radii off the centre.";
+  constexpr double limit = physics::miscue_offset;
+  if (!(tip.side * tip.side + tip.height * tip.height <= limit * limit)) {
+    return "There the cue would slip: the tip must be at most " + number_text(limit, 1) +
+           " radii off the centre.";
   }
   stance.tip = tip;
   return std::nullopt;

@@ -106,9 +106,8 @@ std::optional<std::string> tip_fault(const physics::Scene& scene, const physics:
   if (!std::holds_alternative<physics::Spinning>(scene.bed.motion)) {
     return "tip: is off the centre; the balls of this table do not spin, so it must be 0, 0";
   }
-  if (physics::length(physics::Vec2{tip.side, tip.height}) <= physics::miscue_offset) {
-    return std::nullopt;
-  }
+  constexpr double limit = physics::miscue_offset;  // NaN is within nothing
+  if (tip.side * tip.side + tip.height * tip.height <= limit * limit) return std::nullopt;
   return "tip: is too far off the centre; beyond half a radius the cue slips off the ball";
 }
 
