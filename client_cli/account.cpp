@@ -39,6 +39,7 @@ Json json_of(const match::Shoot& shoot, std::uint32_t number_of_shot, const phys
   return object({{"number", number_of_shot},
                  {"direction", array({shoot.direction.x, shoot.direction.y})},
                  {"speed", shoot.speed_m_s},
+                 {"tip", array({shoot.tip.side, shoot.tip.height})},
                  {"ball", call.ball ? Json(number(*call.ball)) : Json()},
                  {"pocket", call.pocket ? Json(number(*call.pocket)) : Json()},
                  {"safety", call.safety},

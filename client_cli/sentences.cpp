@@ -51,6 +51,8 @@ std::string shot_text(const match::Shoot& shoot, const std::string& name, bool b
   const double angle = std::atan2(shoot.direction.y, shoot.direction.x) * 180 / std::numbers::pi;
   std::string text = name + (breaking ? " breaks" : " shoots") + " at " +
                      decimals(shoot.speed_m_s, 2) + " m/s and " + decimals(angle, 2) + " degrees";
+  const std::string tip = words_of(shoot.tip);
+  if (!tip.empty()) text += ", the tip " + tip;
   const std::string call = words_of(shoot.call);
   if (shoot.call.safety) {
     text += ", calling a safety";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <variant>
 
 #include "common/hash/hash.hpp"
 #include "common/physics/timeline.hpp"
@@ -16,18 +17,23 @@ using physics::BallState;
 using physics::shown;
 
 constexpr std::array<const char*, 5> phases = {"rest", "slide", "roll", "spin", "pocketed"};
-constexpr std::array<const char*, 6> kinds = {"strike",      "ball_ball", "ball_cushion",
-                                              "ball_pocket", "rolls",     "rests"};
+constexpr std::array<const char*, 7> kinds = {"strike", "ball_ball", "ball_cushion", "ball_pocket",
+                                              "rolls",  "spins",     "rests"};
+static_assert(kinds.size() == std::variant_size_v<physics::Event>);
 constexpr std::array<const char*, 4> endings = {"rest", "horizon", "until", "stalled"};
 
 std::string vector_of(physics::Vec2 v) {
   return "[" + shown(v.x) + "," + shown(v.y) + "]";
 }
 
+std::string vector_of(physics::Vec3 v) {
+  return "[" + shown(v.x) + "," + shown(v.y) + "," + shown(v.z) + "]";
+}
+
 std::string json_of(const BallState& ball) {
   return "{\"id\":" + std::to_string(number(ball.id)) + ",\"phase\":\"" +
          phases[static_cast<std::size_t>(ball.phase)] + "\",\"p\":" + vector_of(ball.position) +
-         ",\"v\":" + vector_of(ball.velocity) + ",\"w\":[0,0,0]}";
+         ",\"v\":" + vector_of(ball.velocity) + ",\"w\":" + vector_of(ball.spin) + "}";
 }
 
 template <class Items, class Print>

@@ -1,6 +1,7 @@
 #include "client_cli/words.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <type_traits>
 
@@ -90,6 +91,19 @@ std::string words_of(const rules::Call& call) {
   return words_of(*call.ball) + " in the " + words_of(*call.pocket);
 }
 
+std::string words_of(const physics::Tip& tip) {
+  const auto part = [](double radii, const char* positive, const char* negative) {
+    if (radii == 0) return std::string();
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f R ", std::abs(radii));
+    return text + std::string(radii > 0 ? positive : negative);
+  };
+  const std::string side = part(tip.side, "left of", "right of");
+  const std::string height = part(tip.height, "above", "below");
+  if (side.empty() && height.empty()) return {};
+  return side + (side.empty() || height.empty() ? "" : " and ") + height + " the centre";
+}
+
 std::string balls_in_words(const std::vector<physics::BallId>& balls) {
   std::string text;
   for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -113,6 +127,8 @@ std::string words_of(const physics::Event& event) {
           return words_of(e.ball) + " drops in the " + words_of(e.pocket);
         } else if constexpr (std::is_same_v<Kind, physics::Rolls>) {
           return words_of(e.ball) + " begins to roll";
+        } else if constexpr (std::is_same_v<Kind, physics::Spins>) {
+          return words_of(e.ball) + " spins in place";
         } else {
           static_assert(std::is_same_v<Kind, physics::Rests>);
           return words_of(e.ball) + " comes to rest";

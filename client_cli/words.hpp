@@ -37,6 +37,8 @@ std::string words_of(match::MatchId id);
 
 /// "3 ball in the foot right corner", "safety", or nothing where nothing is called.
 std::string words_of(const rules::Call& call);
+/// "0.20 R left of and 0.10 R above the centre", R being the radius; nothing for the centre.
+std::string words_of(const physics::Tip& tip);
 
 /// "1, 9 and the cue ball".
 std::string balls_in_words(const std::vector<physics::BallId>& balls);

@@ -44,6 +44,55 @@ std::optional<double> distance_to_rail(Vec2 from, Vec2 direction, const Rail& ra
   return distance;
 }
 
+/// The shares of a ball's speed across and along a cushion that it keeps.
+struct Kept {
+  double normal = 1;
+  double tangential = 1;
+};
+
+Kept kept_by(const physics::Mirror&) {
+  return {};
+}
+Kept kept_by(const physics::CushionRestitution& model) {
+  return {model.normal, model.tangential};
+}
+/// Friction at the nose depends on the spin, which nobody knows when aiming.
+template <class SpinningModel>
+Kept kept_by(const SpinningModel& model) {
+  return {model.restitution, 1};
+}
+
+/// Gates of six pockets from those of a corner and a side, each as the places of its ends for the
+/// corner or side where x and y are positive.
+std::vector<Gate> six_gates(const Gate& corner, const Gate& side) {
+  const auto turned = [](const Gate& gate, double sx, double sy) {
+    return Gate{{sx * gate.from.x, sy * gate.from.y}, {sx * gate.to.x, sy * gate.to.y}};
+  };
+  return {turned(corner, -1, -1), turned(side, 1, -1), turned(corner, 1, -1),
+          turned(corner, 1, 1),   turned(side, 1, 1),  turned(corner, -1, 1)};
+}
+
+/// A contact with a cushion near enough to the pocket drops the ball: the gates lie on the
+/// rectangle that centres can reach, whose corner is at `reach`.
+std::vector<Gate> gates_of(const physics::StandardPockets& pockets, Vec2 reach, double radius_m) {
+  // The contact is measured from the corner of the cushions, the centre from that of its rectangle.
+  const double corner = pockets.corner_mouth_m / std::sqrt(2.0) - radius_m;
+  const double side = pockets.side_mouth_m / 2;
+  return six_gates({{reach.x, reach.y - corner}, {reach.x - corner, reach.y}},
+                   {{-side, reach.y}, {side, reach.y}});
+}
+
+/// A ball goes between the points of the noses: the gates are the mouths, a radius shorter at
+/// either end.
+std::vector<Gate> gates_of(const physics::JawedPockets& pockets, Vec2 reach, double radius_m) {
+  const double leg = pockets.corner_mouth_m / std::sqrt(2.0);
+  const double in = radius_m / std::sqrt(2.0);
+  const Vec2 corner{reach.x + radius_m, reach.y + radius_m};
+  const double side = pockets.side_mouth_m / 2 - radius_m;
+  return six_gates({{corner.x - in, corner.y - leg + in}, {corner.x - leg + in, corner.y - in}},
+                   {{-side, corner.y}, {side, corner.y}});
+}
+
 }  // namespace
 
 Vec2 towards(Vec2 from, Vec2 to) {
@@ -56,17 +105,9 @@ Vec2 towards(Vec2 from, Vec2 to) {
 std::vector<Gate> gates_of(const physics::Scene& scene) {
   if (!scene.pockets || !scene.bed.length_m || !scene.bed.width_m) return {};
   const double radius = scene.ball.radius_m;
-  const double x = *scene.bed.length_m / 2 - radius;
-  const double y = *scene.bed.width_m / 2 - radius;
-  // A contact with a cushion nearer than this to the corner drops the ball; measured from where the
-  // centres' rectangle has its corner, the centre may be this much less a radius away.
-  const double corner = scene.pockets->corner_mouth_m / std::sqrt(2.0) - radius;
-  const double side = scene.pockets->side_mouth_m / 2;
-  const auto corner_gate = [&](double sx, double sy) {
-    return Gate{{sx * x, sy * (y - corner)}, {sx * (x - corner), sy * y}};
-  };
-  return {corner_gate(-1, -1), Gate{{-side, -y}, {side, -y}}, corner_gate(1, -1),
-          corner_gate(1, 1),   Gate{{-side, y}, {side, y}},   corner_gate(-1, 1)};
+  const Vec2 reach{*scene.bed.length_m / 2 - radius, *scene.bed.width_m / 2 - radius};
+  return std::visit([&](const auto& pockets) { return gates_of(pockets, reach, radius); },
+                    *scene.pockets);
 }
 
 std::optional<Aim> aim_of(Vec2 cue, Vec2 object, Vec2 way, double radius_m) {
@@ -117,12 +158,11 @@ FirstContact first_contact(const physics::Scene& scene, const physics::State& ta
 Vec2 image_in(const physics::CushionSegment& cushion, double radius_m, Vec2 place) {
   const Rail rail = rail_of(cushion, radius_m);
   double depth = physics::dot(place - rail.from, rail.inward);
-  if (const auto* loses = std::get_if<physics::CushionRestitution>(&cushion.model)) {
-    // After the rebound the ball needs depth / normal as long, and drifts along the cushion at
-    // `tangential` of its speed meanwhile. A cushion that returns nothing has no image; half the
-    // speed is the least for which aiming at one makes sense.
-    depth *= loses->tangential / std::max(loses->normal, 0.5);
-  }
+  // After the rebound the ball needs depth / normal as long, and drifts along the cushion at
+  // `tangential` of its speed meanwhile. A cushion that returns nothing has no image; half the
+  // speed is the least for which aiming at one makes sense.
+  const Kept kept = std::visit([](const auto& model) { return kept_by(model); }, cushion.model);
+  depth *= kept.tangential / std::max(kept.normal, 0.5);
   const double along = physics::dot(place - rail.from, rail.along);
   return rail.from + rail.along * along - rail.inward * depth;
 }

@@ -39,7 +39,9 @@ Command add_play(CLI::App& program, const Globals& globals) {
   CLI::App* parser = program.add_subcommand("play", "Play a match");
   parser->footer(
       "Without MATCH, --code, --new or --private it goes back to a match of yours that is still\n"
-      "running, joins an open one, or opens one. At the table, type help.\n"
+      "running, joins an open one, or opens one. At the table, type help: aim, speed, tip and "
+      "call\n"
+      "prepare a shot, shoot plays it.\n"
       "Where input or output is no terminal, a line is read only when it is your turn.");
   options->opening.add_to(*parser);
   parser->add_option("--name", options->name, "The guest as whom you play")

@@ -44,8 +44,8 @@ Finding finding_of(const record::Record& record, const record::Verdict& verdict)
               {}};
     case Kind::unknown_physics: {
       const std::string what = "it was played by version " + std::to_string(record.header.physics) +
-                               " of the physics and this program has version " +
-                               std::to_string(physics::physics_version);
+                               " of the physics and this program has " +
+                               record::simulated_versions();
       return {"unknown_physics", exit_usage, "cannot be verified: " + what, entries, {}, {}, what};
     }
     case Kind::diverged:

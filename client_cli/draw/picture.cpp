@@ -65,11 +65,9 @@ DrawnPocket side_pocket(Vec2 middle, double mouth_m) {
   return pocket;
 }
 
-std::vector<DrawnPocket> pockets_of(const Box& bed, const physics::StandardPockets& pockets) {
-  const auto corner = [&](double x, double y) {
-    return corner_pocket({x, y}, pockets.corner_mouth_m);
-  };
-  const auto side = [&](double y) { return side_pocket({0, y}, pockets.side_mouth_m); };
+std::vector<DrawnPocket> pockets_of(const Box& bed, double corner_mouth_m, double side_mouth_m) {
+  const auto corner = [&](double x, double y) { return corner_pocket({x, y}, corner_mouth_m); };
+  const auto side = [&](double y) { return side_pocket({0, y}, side_mouth_m); };
   return {corner(bed.low.x, bed.low.y),   side(bed.low.y),  corner(bed.high.x, bed.low.y),
           corner(bed.high.x, bed.high.y), side(bed.high.y), corner(bed.low.x, bed.high.y)};
 }
@@ -96,7 +94,13 @@ Table table_of(const physics::Scene& scene, const std::vector<physics::BallState
   table.ball_radius_m = scene.ball.radius_m;
   table.has_rails =
       scene.cushions && std::holds_alternative<physics::RectangleCushions>(*scene.cushions);
-  if (scene.pockets) table.pockets = pockets_of(table.bed, *scene.pockets);
+  if (scene.pockets) {
+    std::visit(
+        [&](const auto& pockets) {
+          table.pockets = pockets_of(table.bed, pockets.corner_mouth_m, pockets.side_mouth_m);
+        },
+        *scene.pockets);
+  }
   if (table.has_rails) {
     table.head_spot = physics::head_spot(scene.bed);
     table.foot_spot = physics::foot_spot(scene.bed);

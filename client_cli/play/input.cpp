@@ -86,6 +86,15 @@ std::optional<Input> aim_at(const Words& arguments) {
   return AimAt{*ball, pocket};
 }
 
+std::optional<Input> tip(const Words& arguments) {
+  if (arguments == Words{"centre"}) return SetTip{};
+  if (arguments.size() != 2) return std::nullopt;
+  const auto side = number_of(arguments[0]);
+  const auto height = number_of(arguments[1]);
+  if (!side || !height) return std::nullopt;
+  return SetTip{{*side, *height}};
+}
+
 std::optional<Input> call(const Words& arguments) {
   if (arguments == Words{"safety"}) return MakeCall{{std::nullopt, std::nullopt, true}};
   if (arguments == Words{"nothing"}) return MakeCall{};
@@ -139,6 +148,11 @@ constexpr std::array commands = {
     CommandWord{"speed", "v", "speed M/S",
                 "how fast the cue ball starts, up to 13 m/s; 1 is soft, 3 firm, 8 a break",
                 with_number<SetSpeed>},
+    CommandWord{"tip", "", "tip SIDE HEIGHT | tip centre",
+                "where the tip meets the cue ball, in radii from its centre, at most 0.5 away: "
+                "SIDE to your left, negative to your right; HEIGHT above for follow, negative for "
+                "draw",
+                tip},
     CommandWord{"call", "c", "call BALL POCKET | call safety | call nothing",
                 "announce what the shot is for; pockets are foot-left, side-left, head-left, "
                 "foot-right, side-right and head-right, or fl, sl, hl, fr, sr, hr",

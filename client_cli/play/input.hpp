@@ -27,6 +27,10 @@ struct TurnBy {
 struct SetSpeed {
   double m_s = 0;
 };
+/// Meet the cue ball off its centre.
+struct SetTip {
+  physics::Tip tip;
+};
 struct MakeCall {
   rules::Call call;
 };
@@ -51,7 +55,7 @@ struct AskHelp {
 };
 struct LeaveTable {};
 
-using Input = std::variant<Nothing, AimAlong, AimAt, TurnBy, SetSpeed, MakeCall, PlaceBall,
+using Input = std::variant<Nothing, AimAlong, AimAt, TurnBy, SetSpeed, SetTip, MakeCall, PlaceBall,
                            ShootNow, TakeOption, ShowTable, TellStatus, TellInvitation, GiveUp,
                            AgreeToRerack, ClaimMatch, AskHelp, LeaveTable>;
 

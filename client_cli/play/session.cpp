@@ -66,7 +66,7 @@ void Session::heard(const MatchView& view, const News& news) {
   }
   viewer_.follow(**entry);
   if ((*entry)->outcome.shot || std::holds_alternative<match::Start>((*entry)->command)) {
-    stance_ = Stance{std::nullopt, stance_.speed_m_s, {}};
+    stance_ = Stance{std::nullopt, stance_.speed_m_s, {}, {}};
   }
 }
 
@@ -205,6 +205,10 @@ void Session::handle(const SetSpeed& speed) {
   prepare([&] { return set_speed(stance_, speed.m_s); });
 }
 
+void Session::handle(const SetTip& tip) {
+  prepare([&] { return set_tip(stance_, moment(), tip.tip); });
+}
+
 void Session::handle(const MakeCall& call) {
   prepare([&] { return set_call(stance_, moment(), call.call); });
 }
@@ -216,7 +220,7 @@ void Session::handle(const PlaceBall& place) {
 void Session::handle(const ShootNow&) {
   if (!may_prepare()) return;
   if (const auto problem = missing(stance_, moment())) return say(*problem);
-  give(match::Shoot{*stance_.direction, stance_.speed_m_s, stance_.call});
+  give(match::Shoot{*stance_.direction, stance_.speed_m_s, stance_.call, stance_.tip});
 }
 
 void Session::handle(const TakeOption& option) {

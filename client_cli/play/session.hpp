@@ -52,6 +52,7 @@ class Session {
   void handle(const AimAt& aim);
   void handle(const TurnBy& turn);
   void handle(const SetSpeed& speed);
+  void handle(const SetTip& tip);
   void handle(const MakeCall& call);
   void handle(const PlaceBall& place);
   void handle(const ShootNow&);

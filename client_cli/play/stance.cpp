@@ -41,6 +41,11 @@ std::string cut_text(physics::Vec2 aim, physics::Vec2 way) {
          (physics::cross(aim, way) > 0 ? "left" : "right");
 }
 
+std::string tip_text(const physics::Tip& tip) {
+  const std::string words = words_of(tip);
+  return words.empty() ? "" : ", the tip " + words;
+}
+
 std::string line_text(const Moment& moment, physics::Vec2 direction) {
   const auto contact = contact_of(moment, rules::cue_ball, direction);
   if (!contact.ball) return "The cue ball meets no ball before a cushion.";
@@ -110,6 +115,20 @@ Problem set_speed(Stance& stance, double speed_m_s) {
   return std::nullopt;
 }
 
+Problem set_tip(Stance& stance, const Moment& moment, const physics::Tip& tip) {
+  if (!(tip == physics::Tip{}) &&
+      !std::holds_alternative<physics::Spinning>(moment.scene.bed.motion)) {
+    return "The balls of this table do not spin; only the centre can be struck.";
+  }
+  constexpr double limit = physics::miscue_offset;
+  if (!(tip.side * tip.side + tip.height * tip.height <= limit * limit)) {
+    return "There the cue would slip: the tip must be at most " + number_text(limit, 1) +
+           " radii off the centre.";
+  }
+  stance.tip = tip;
+  return std::nullopt;
+}
+
 Problem set_call(Stance& stance, const Moment& moment, const rules::Call& call) {
   if (call != rules::Call{}) {
     if (auto fault = call_fault(moment, call)) return "That cannot be called: " + *fault + ".";
@@ -134,9 +153,9 @@ std::vector<std::string> preview(const Stance& stance, const Moment& moment) {
   const std::string speed = number_text(stance.speed_m_s, 2) + " m/s";
   if (stance.direction) {
     lines.push_back("Aim " + number_text(degrees_of(*stance.direction), 2) + " degrees at " +
-                    speed + ". " + line_text(moment, *stance.direction));
+                    speed + tip_text(stance.tip) + ". " + line_text(moment, *stance.direction));
   } else {
-    lines.push_back("Not aimed yet; the speed is " + speed + ".");
+    lines.push_back("Not aimed yet; the speed is " + speed + tip_text(stance.tip) + ".");
   }
   if (asks_for_call(moment)) {
     const std::string call = words_of(stance.call);

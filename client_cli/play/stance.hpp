@@ -13,6 +13,7 @@ namespace breakshot::client {
 struct Stance {
   std::optional<physics::Vec2> direction;  ///< unit; missing: not aimed yet
   double speed_m_s = 2.5;
+  physics::Tip tip{};
   rules::Call call;
 };
 
@@ -36,12 +37,13 @@ std::optional<std::string> turn_by(Stance& stance, double degrees);
 std::optional<std::string> aim_at(Stance& stance, const Moment& moment, physics::BallId ball,
                                   std::optional<physics::PocketId> pocket);
 std::optional<std::string> set_speed(Stance& stance, double speed_m_s);
+std::optional<std::string> set_tip(Stance& stance, const Moment& moment, const physics::Tip& tip);
 std::optional<std::string> set_call(Stance& stance, const Moment& moment, const rules::Call& call);
 
 /// What is missing before the shot can be played, and how to say it; nothing if it is ready.
 std::optional<std::string> missing(const Stance& stance, const Moment& moment);
 
-/// Aim, speed, what is met first and what has been called, a sentence or two a line.
+/// Aim, speed, tip, what is met first and what has been called, a sentence or two a line.
 std::vector<std::string> preview(const Stance& stance, const Moment& moment);
 
 /// Adds the cue vector and the lines of aim to a picture of the table: that of the cue ball to the

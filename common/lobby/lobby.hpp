@@ -19,7 +19,7 @@
 
 namespace breakshot::lobby {
 
-inline constexpr std::uint32_t protocol_version = 1;
+inline constexpr std::uint32_t protocol_version = 2;
 /// Where servers listen and clients look unless told otherwise: POOL on a telephone's keys.
 inline constexpr std::uint16_t default_port = 7665;
 

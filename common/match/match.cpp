@@ -101,6 +101,16 @@ void leave(Match& match, Seat seat, MatchEnd end) {
 
 // ---- Shots
 
+std::optional<std::string> tip_fault(const physics::Scene& scene, const physics::Tip& tip) {
+  if (tip == physics::Tip{}) return std::nullopt;
+  if (!std::holds_alternative<physics::Spinning>(scene.bed.motion)) {
+    return "tip: is off the centre; the balls of this table do not spin, so it must be 0, 0";
+  }
+  constexpr double limit = physics::miscue_offset;  // NaN is within nothing
+  if (tip.side * tip.side + tip.height * tip.height <= limit * limit) return std::nullopt;
+  return "tip: is too far off the centre; beyond half a radius the cue slips off the ball";
+}
+
 std::optional<Refusal> fault_of(const Match& match, const Shoot& shoot) {
   const double length = physics::length(shoot.direction);
   if (!(length >= 1 - unit_tolerance && length <= 1 + unit_tolerance)) {
@@ -110,6 +120,7 @@ std::optional<Refusal> fault_of(const Match& match, const Shoot& shoot) {
     return bad_value("speed: is out of range; it must be above 0 and at most " +
                      std::to_string(static_cast<int>(max_shot_speed_m_s)) + " m/s");
   }
+  if (auto fault = tip_fault(match.settings.scene, shoot.tip)) return bad_value(*std::move(fault));
   const auto call_fault = std::visit(
       [&](const auto& game) {
         if constexpr (std::is_same_v<std::decay_t<decltype(game)>, rules::EightBall>) {
@@ -186,8 +197,9 @@ Stepped carry_out(const Match& match, const Author&, const Place& place) {
 Stepped carry_out(const Match& match, const Author&, const Shoot& shoot) {
   if (auto refusal = fault_of(match, shoot)) return *refusal;
   const physics::Vec2 direction{shoot.direction.x + 0.0, shoot.direction.y + 0.0};
-  auto result = physics::simulate(match.settings.scene, match.table,
-                                  physics::Strike{rules::cue_ball, direction, shoot.speed_m_s},
+  const physics::Tip tip{shoot.tip.side + 0.0, shoot.tip.height + 0.0};
+  const physics::Strike strike{rules::cue_ball, direction, shoot.speed_m_s, tip};
+  auto result = physics::simulate(match.settings.scene, match.table, strike,
                                   {match.seed, match.shots}, {physics::max_match_events, {}});
   if (const auto* stall = std::get_if<physics::Stalled>(&result)) return refusal_of(*stall);
   Step step{match, std::get<physics::Shot>(std::move(result)), {}};

@@ -65,6 +65,7 @@ struct Shoot {
   physics::Vec2 direction;  ///< unit vector
   double speed_m_s = 0;     ///< (0, max_shot_speed_m_s]
   rules::Call call;
+  physics::Tip tip{};  ///< within physics::miscue_offset; the centre where balls have no spin
   friend bool operator==(const Shoot&, const Shoot&) = default;
 };
 struct Choose {

@@ -131,7 +131,7 @@ struct RectangleCushions {
 
 struct FreeCushions {
   std::vector<CushionSegment> segments;
-  std::vector<CushionArc> arcs;
+  std::vector<CushionArc> arcs{};
 
   friend bool operator==(const FreeCushions&, const FreeCushions&) = default;
 };
@@ -279,7 +279,7 @@ struct Strike {
   BallId ball{};
   Vec2 direction{1, 0};  ///< length 1 to within 1e-9; normalised before use
   double speed_m_s = 0;  ///< of the ball, [0, 1e4]
-  Tip tip;               ///< within miscue_offset; the centre in motions without spin
+  Tip tip{};             ///< within miscue_offset; the centre in motions without spin
 
   friend bool operator==(const Strike&, const Strike&) = default;
 };

@@ -13,11 +13,11 @@ struct BasicSegment {
   BallId ball{};
   Phase phase = Phase::rest;
   Real start_s{};
-  BasicVec2<Real> position;      ///< at start, m
-  BasicVec2<Real> velocity;      ///< at start, m/s
-  BasicVec2<Real> acceleration;  ///< constant, m/s^2
-  BasicVec3<Real> spin;          ///< at start, rad/s; zero in motions without spin
-  BasicVec3<Real> spin_change;   ///< constant, rad/s^2; z is against spin.z
+  BasicVec2<Real> position;       ///< at start, m
+  BasicVec2<Real> velocity;       ///< at start, m/s
+  BasicVec2<Real> acceleration;   ///< constant, m/s^2
+  BasicVec3<Real> spin{};         ///< at start, rad/s; zero in motions without spin
+  BasicVec3<Real> spin_change{};  ///< constant, rad/s^2; z is against spin.z
 
   friend bool operator==(const BasicSegment&, const BasicSegment&) = default;
 };

@@ -15,7 +15,7 @@ struct BallState {
   Phase phase = Phase::rest;
   Vec2 position;  ///< m; for a pocketed ball, where it dropped
   Vec2 velocity;  ///< m/s
-  Vec3 spin;      ///< rad/s
+  Vec3 spin{};    ///< rad/s
 
   friend bool operator==(const BallState&, const BallState&) = default;
 };

@@ -33,6 +33,15 @@ struct Names;
 template <class Alternative>
 inline constexpr Choice tag_of{};
 
+/// How a type has grown since its encoding was fixed: values that have nothing of what is new keep
+/// their bytes, others have a tag of their own and, after the old fields, those that
+/// `describe_growth` names. `needed` says which values these are: each has one encoding.
+template <class T>
+struct Growth {
+  static constexpr Choice tag{};
+  static bool needed(const T&) { return false; }
+};
+
 template <class Codec, class T>
 void code(Codec& codec, T& value, std::size_t limit);
 
@@ -55,6 +64,34 @@ void fixed(Codec& codec, std::string_view name, Number only) {
     return std::to_string(value) + " found, only " + std::to_string(only) + " is known";
   });
   codec.leave();
+}
+
+template <class T>
+inline constexpr bool grows = !Growth<T>::tag.name.empty();
+
+/// The fields by which a value has grown.
+template <class Codec, class T>
+void growth(Codec& codec, T& value) {
+  describe_growth(codec, value);
+  codec.rule([&]() -> std::optional<std::string> {
+    using Plain = std::remove_const_t<T>;
+    if (Growth<Plain>::needed(value)) return std::nullopt;
+    return "tag " + std::to_string(Growth<Plain>::tag.tag) + ' ' +
+           std::string(Growth<Plain>::tag.name) + " for a value that does not need it";
+  });
+}
+
+/// The form of a structure that has grown: 0 as it was at first, or the tag of its growth. Says
+/// whether `growth` is to follow the old fields.
+template <class Codec, class T>
+bool form(Codec& codec, std::string_view name, T& value) {
+  using Grown = Growth<std::remove_const_t<T>>;
+  static constexpr std::array choices{Choice{0, "plain"}, Grown::tag};
+  std::size_t index = Grown::needed(value) ? 1 : 0;
+  codec.enter(name);
+  codec.choice(index, choices);
+  codec.leave();
+  return index == 1;
 }
 
 namespace detail {
@@ -123,20 +160,57 @@ void code_vector(Codec& codec, Vector& value, std::size_t limit) {
   codec.end_of_list(count);
 }
 
+/// The tags of a variant: one for each alternative, then one for each that has grown.
+template <class... Alternatives>
+struct Tags {
+  static_assert((!tag_of<Alternatives>.name.empty() && ...), "every alternative needs its tag");
+  static constexpr std::size_t plain = sizeof...(Alternatives);
+  static constexpr std::size_t count = (plain + ... + std::size_t{grows<Alternatives>});
+
+  std::array<Choice, count> choices{tag_of<Alternatives>...};
+  std::array<std::size_t, count> alternative{};  ///< that a tag is of
+  std::array<std::size_t, plain> grown{};        ///< the place of its second tag, where it has one
+
+  constexpr Tags() {
+    std::size_t index = 0, next = plain;
+    (add<Alternatives>(index++, next), ...);
+  }
+
+ private:
+  template <class Alternative>
+  constexpr void add(std::size_t index, std::size_t& next) {
+    alternative[index] = index;
+    if (!grows<Alternative>) return;
+    choices[next] = Growth<Alternative>::tag;
+    alternative[next] = index;
+    grown[index] = next++;
+  }
+};
+
 template <class Codec, class T, class... Alternatives>
 void code_variant(Codec& codec, T& value, std::type_identity<std::variant<Alternatives...>>) {
-  static constexpr std::array choices{tag_of<Alternatives>...};
-  static_assert((!tag_of<Alternatives>.name.empty() && ...), "every alternative needs its tag");
+  static constexpr Tags<Alternatives...> tags;
+  const auto has_grown = [](const auto& alternative) {
+    return Growth<std::decay_t<decltype(alternative)>>::needed(alternative);
+  };
   std::size_t index = value.index();
-  codec.choice(index, choices);
+  if (std::visit(has_grown, value)) index = tags.grown[index];
+  codec.choice(index, tags.choices);
   if constexpr (!Codec::writing) {
     using Variant = std::variant<Alternatives...>;
     using Make = Variant (*)();
     static constexpr std::array<Make, sizeof...(Alternatives)> make{
         +[]() -> Variant { return Alternatives{}; }...};
-    value = make[index]();
+    value = make[tags.alternative[index]]();
   }
-  std::visit([&](auto& alternative) { code(codec, alternative, 0); }, value);
+  std::visit(
+      [&](auto& alternative) {
+        code(codec, alternative, 0);
+        if constexpr (grows<std::decay_t<decltype(alternative)>>) {
+          if (index >= tags.plain) growth(codec, alternative);
+        }
+      },
+      value);
 }
 
 template <class T>

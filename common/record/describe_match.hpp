@@ -62,6 +62,11 @@ inline constexpr Choice tag_of<match::Place>{1, "place"};
 template <>
 inline constexpr Choice tag_of<match::Shoot>{2, "shoot"};
 template <>
+struct Growth<match::Shoot> {
+  static constexpr Choice tag{7, "shoot_with_tip"};
+  static bool needed(const match::Shoot& shoot) { return !(shoot.tip == physics::Tip{}); }
+};
+template <>
 inline constexpr Choice tag_of<match::Choose>{3, "choose"};
 template <>
 inline constexpr Choice tag_of<match::Concede>{4, "concede"};
@@ -104,6 +109,17 @@ void describe(Codec& c, Value<Codec, match::Shoot>& shoot) {
   field(c, "direction", shoot.direction);
   field(c, "speed_m_s", shoot.speed_m_s);
   field(c, "call", shoot.call);
+}
+
+template <class Codec>
+void describe(Codec& c, Value<Codec, physics::Tip>& tip) {
+  field(c, "side", tip.side);
+  field(c, "height", tip.height);
+}
+
+template <class Codec>
+void describe_growth(Codec& c, Value<Codec, match::Shoot>& shoot) {
+  field(c, "tip", shoot.tip);
 }
 
 template <class Codec>

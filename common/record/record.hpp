@@ -2,6 +2,7 @@
 // the database blob and the hash input.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -109,6 +110,16 @@ struct Reading {
 Reading read_file(hash::Bytes bytes);
 
 // ---- Verification
+
+/// Earlier versions of the physics that the present one still simulates with the same bits. Version
+/// 1 had no spin, no jaws and no arcs; scenes without them have kept their bits.
+inline constexpr std::array<std::uint32_t, 1> earlier_physics{1};
+static_assert(physics::physics_version <= 2, "which versions have kept their bits must be said");
+
+/// Whether what was played by this version of the physics can be simulated again.
+bool can_simulate(std::uint32_t physics);
+/// Those versions for people: "version 1", "versions 1 and 2".
+std::string simulated_versions();
 
 /// The first entry whose re-simulation differs from what is stored, and how.
 struct Divergence {

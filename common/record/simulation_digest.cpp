@@ -9,6 +9,26 @@ namespace {
 // What the digest is of, so that no other use of SHA-256 over bytes like these can collide with it.
 constexpr std::string_view domain = "breakshot.simulate.1";
 
+/// A ball that still spins, or is rolling, at the end.
+struct FinalSpin {
+  physics::BallId ball{};
+  physics::Vec3 spin;
+};
+
+template <class Codec>
+void describe(Codec& c, Value<Codec, FinalSpin>& final_spin) {
+  field(c, "ball", final_spin.ball);
+  field(c, "spin", final_spin.spin);
+}
+
+std::vector<FinalSpin> spins_of(const std::vector<physics::BallState>& states) {
+  std::vector<FinalSpin> spins;
+  for (const physics::BallState& ball : states) {
+    if (!(ball.spin == physics::Vec3{})) spins.push_back({ball.id, ball.spin});
+  }
+  return spins;
+}
+
 std::vector<physics::BallId> pocketed_in(const physics::Shot& shot) {
   std::vector<physics::BallId> pocketed;
   for (const physics::Event& event : shot.events) {
@@ -31,6 +51,9 @@ hash::Digest simulation_digest(const physics::Shot& shot) {
   field(writer, "final", states, unlimited);
   const std::vector<physics::BallId> pocketed = pocketed_in(shot);
   field(writer, "pocketed", pocketed, unlimited);
+  // Spin came later: a shot that ends without any keeps its digest.
+  const std::vector<FinalSpin> spins = spins_of(states);
+  if (!spins.empty()) field(writer, "spins", spins, unlimited);
   return hash::sha256(std::move(writer).taken("the shot"));
 }
 

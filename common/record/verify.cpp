@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "common/record/chain.hpp"
 #include "common/record/difference.hpp"
 #include "common/record/record.hpp"
@@ -64,9 +66,25 @@ Verdict verdict_on_chain(const Record& record) {
 
 }  // namespace
 
+bool can_simulate(std::uint32_t physics) {
+  return physics == physics::physics_version ||
+         std::find(earlier_physics.begin(), earlier_physics.end(), physics) !=
+             earlier_physics.end();
+}
+
+std::string simulated_versions() {
+  std::string earlier;
+  for (const std::uint32_t version : earlier_physics) {
+    if (version == physics::physics_version) continue;
+    earlier += (earlier.empty() ? "" : ", ") + std::to_string(version);
+  }
+  const std::string present = std::to_string(physics::physics_version);
+  return earlier.empty() ? "version " + present : "versions " + earlier + " and " + present;
+}
+
 Verdict verify(const Record& record) {
   const Header& header = record.header;
-  if (header.physics != physics::physics_version) {
+  if (!can_simulate(header.physics)) {
     return {Verdict::Kind::unknown_physics, 0, std::nullopt};
   }
   if (auto fault = start_fault(header)) return diverged(0, seq_at(0), "header: " + *fault);

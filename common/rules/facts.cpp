@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "common/physics/rails.hpp"
 #include "common/physics/table.hpp"
 #include "common/rules/groups.hpp"
 
@@ -11,6 +12,7 @@ namespace breakshot::rules {
 namespace {
 
 using physics::BallId;
+using physics::CushionArc;
 using physics::CushionSegment;
 using physics::Segment;
 using physics::Shot;
@@ -46,39 +48,66 @@ double greatest_along(const Shot& shot, BallId ball, Vec2 axis, double until_s) 
   return last == nullptr ? greatest : std::max(greatest, greatest_on(*last, axis, until_s));
 }
 
-Vec2 inward_normal(const CushionSegment& cushion) {
-  const Vec2 along = cushion.to - cushion.from;
-  return perp(along) / length(along);
+/// Where a ball stands before a piece of a cushion: the nearest point of the nose, and the unit
+/// vector from there to the ball.
+struct Standing {
+  Vec2 nose;
+  Vec2 normal;
+};
+
+/// Nothing where the ball is not in front of the piece.
+std::optional<Standing> standing_at(const CushionSegment& segment, Vec2 position) {
+  const Vec2 along = segment.to - segment.from;
+  const double extent = length(along);
+  const double foot = dot(along, position - segment.from) / extent;
+  if (foot < 0 || foot > extent) return std::nullopt;
+  return Standing{segment.from, perp(along) / extent};
+}
+
+std::optional<Standing> standing_at(const CushionArc& arc, Vec2 position) {
+  const Vec2 outward = position - arc.centre;
+  if (cross(arc.from, outward) < 0 || cross(outward, arc.to) < 0) return std::nullopt;
+  const Vec2 normal = outward / length(outward);
+  return Standing{arc.centre + normal * arc.radius_m, normal};
 }
 
 /// Whether a ball meets a cushion that it was not touching (WPA 8.4): it did not touch it before
-/// the shot, or has left it since.
+/// the shot, or has left it since. The jaws of a pocket are cushions like the others.
 class Rails {
  public:
   Rails(const physics::Scene& scene, const physics::State& before, const Shot& shot)
       : radius_m_(scene.ball.radius_m),
-        cushions_(segments_of(scene)),
+        rails_(physics::rails_of(scene)),
         before_(before),
         shot_(shot) {}
 
   bool driven(const physics::BallCushion& contact) const {
-    const CushionSegment& cushion = cushions_[number(contact.cushion)];
-    const physics::Ball* ball = find(before_, contact.ball);
-    if (ball == nullptr || !frozen(*ball, cushion)) return true;
-    const Vec2 normal = inward_normal(cushion);
-    const double farthest = greatest_along(shot_, contact.ball, normal, contact.time_s) -
-                            dot(normal, cushion.from) - radius_m_;
-    return farthest > frozen_gap_m;
+    return driven(contact, rails_.segments) && driven(contact, rails_.arcs);
   }
 
  private:
-  bool frozen(const physics::Ball& ball, const CushionSegment& cushion) const {
-    const Vec2 offset = ball.position - cushion.from;
-    return dot(inward_normal(cushion), offset) - radius_m_ <= frozen_gap_m;
+  template <class Piece>
+  bool driven(const physics::BallCushion& contact, const std::vector<Piece>& pieces) const {
+    const physics::Ball* ball = find(before_, contact.ball);
+    if (ball == nullptr) return true;
+    return std::none_of(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+      if (piece.id != contact.cushion) return false;
+      const auto standing = standing_at(piece.nose, ball->position);
+      if (!standing || gap(*standing, dot(standing->normal, ball->position)) > frozen_gap_m) {
+        return false;
+      }
+      const double farthest = greatest_along(shot_, contact.ball, standing->normal, contact.time_s);
+      return gap(*standing, farthest) <= frozen_gap_m;
+    });
+  }
+
+  /// Between nose and ball, for a ball whose centre is so far along the normal.
+  double gap(const Standing& standing, double along) const {
+    return along - dot(standing.normal, standing.nose) - radius_m_;
   }
 
   double radius_m_;
-  std::vector<CushionSegment> cushions_;
+  physics::Rails rails_;
   const physics::State& before_;
   const Shot& shot_;
 };

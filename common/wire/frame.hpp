@@ -23,7 +23,7 @@ inline constexpr std::size_t max_hello_frame = 512;
 /// What a server accepts from a client that has.
 inline constexpr std::size_t max_request_frame = 16 * 1024;
 /// What a client must accept from a server: a shot of physics::max_match_events events fits.
-inline constexpr std::size_t max_answer_frame = 4 * 1024 * 1024;
+inline constexpr std::size_t max_answer_frame = 6 * 1024 * 1024;
 
 /// A frame was announced that is longer than the limit. The stream cannot be read any further.
 struct TooLong {

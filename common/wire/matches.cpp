@@ -36,6 +36,10 @@ struct CommandWriter {
     said.set_direction_x(shoot.direction.x);
     said.set_direction_y(shoot.direction.y);
     said.set_speed_m_s(shoot.speed_m_s);
+    if (!(shoot.tip == physics::Tip{})) {
+      said.mutable_tip()->set_side(shoot.tip.side);
+      said.mutable_tip()->set_height(shoot.tip.height);
+    }
     if (shoot.call == rules::Call{}) return;
     v1::Call& call = *said.mutable_call();
     if (shoot.call.ball) call.set_ball(number(*shoot.call.ball));
@@ -65,11 +69,16 @@ rules::Call read(const v1::Call& message, const Where& at) {
   return call;
 }
 
+physics::Tip read(const v1::Tip& message, const Where& at) {
+  return {finite(message.side(), Where(at, "side")), finite(message.height(), Where(at, "height"))};
+}
+
 match::Shoot read(const v1::Shoot& message, const Where& at) {
   return {{finite(message.direction_x(), Where(at, "direction_x")),
            finite(message.direction_y(), Where(at, "direction_y"))},
           finite(message.speed_m_s(), Where(at, "speed_m_s")),
-          read(message.call(), Where(at, "call"))};
+          read(message.call(), Where(at, "call")),
+          read(message.tip(), Where(at, "tip"))};
 }
 
 rules::Option read_option(int value, const Where& at) {

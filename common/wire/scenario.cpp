@@ -84,12 +84,18 @@ physics::Vec2 read_direction(const v1::ScenarioStrike& message, const Where& at)
   return physics::direction_of(angle);
 }
 
+/// Zero where a number is missing.
+physics::Tip read_tip(const v1::ScenarioTip& message, const Where& at) {
+  return {finite(message.side(), Where(at, "side")), finite(message.height(), Where(at, "height"))};
+}
+
 physics::Strike read_strike(const v1::ScenarioStrike& message, const Where& at) {
   physics::Strike strike;
   if (!message.has_ball()) Where(at, "ball").refuse("is missing; it must be given");
   strike.ball = physics::BallId{message.ball()};
   strike.direction = read_direction(message, at);
   strike.speed_m_s = required(message.has_speed(), message.speed(), Where(at, "speed"));
+  strike.tip = read_tip(message.tip(), Where(at, "tip"));
   return strike;
 }
 

@@ -38,6 +38,9 @@ struct EventWriter {
   void operator()(const physics::Rolls& e) const {
     message.mutable_rolls()->set_ball(number(e.ball));
   }
+  void operator()(const physics::Spins& e) const {
+    message.mutable_spins()->set_ball(number(e.ball));
+  }
   void operator()(const physics::Rests& e) const {
     message.mutable_rests()->set_ball(number(e.ball));
   }
@@ -70,6 +73,8 @@ physics::Event read(const v1::ShotEvent& message, const Where& at) {
     }
     case Kind::kRolls:
       return physics::Rolls{t, BallId{message.rolls().ball()}};
+    case Kind::kSpins:
+      return physics::Spins{t, BallId{message.spins().ball()}};
     case Kind::kRests:
       return physics::Rests{t, BallId{message.rests().ball()}};
     case Kind::KIND_NOT_SET:
@@ -91,6 +96,12 @@ void write(const physics::Segment& s, v1::Segment& message) {
   message.set_velocity_y(s.velocity.y);
   message.set_acceleration_x(s.acceleration.x);
   message.set_acceleration_y(s.acceleration.y);
+  message.set_spin_x(s.spin.x);
+  message.set_spin_y(s.spin.y);
+  message.set_spin_z(s.spin.z);
+  message.set_spin_change_x(s.spin_change.x);
+  message.set_spin_change_y(s.spin_change.y);
+  message.set_spin_change_z(s.spin_change.z);
 }
 
 physics::Segment read(const v1::Segment& message, const Where& at) {
@@ -103,6 +114,11 @@ physics::Segment read(const v1::Segment& message, const Where& at) {
       {real(message.velocity_x(), "velocity_x"), real(message.velocity_y(), "velocity_y")},
       {real(message.acceleration_x(), "acceleration_x"),
        real(message.acceleration_y(), "acceleration_y")},
+      {real(message.spin_x(), "spin_x"), real(message.spin_y(), "spin_y"),
+       real(message.spin_z(), "spin_z")},
+      {real(message.spin_change_x(), "spin_change_x"),
+       real(message.spin_change_y(), "spin_change_y"),
+       real(message.spin_change_z(), "spin_change_z")},
   };
 }
 

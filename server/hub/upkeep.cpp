@@ -36,9 +36,9 @@ std::optional<std::string> replay(LiveMatch& match, const record::Entry& entry) 
 std::optional<std::string> replay(LiveMatch& match,
                                   const std::vector<ledger::EntryPointer>& entries) {
   const record::Header& header = *match.row.header;
-  if (header.physics != physics::physics_version) {
+  if (!record::can_simulate(header.physics)) {
     return "it was begun with version " + std::to_string(header.physics) +
-           " of the physics; this server has version " + std::to_string(physics::physics_version);
+           " of the physics; this server has " + record::simulated_versions();
   }
   if (match::commitment_of(match.secret) != header.commitment) {
     return "its secret is not the one committed to";

@@ -16,7 +16,9 @@ constexpr double radius = 0.028575;
 constexpr BallId cue{0};
 
 physics::Scene club() {
-  return physics::presets().front().scene;
+  physics::Scene scene = physics::presets().front().scene;
+  scene.pockets = physics::StandardPockets{};
+  return scene;
 }
 
 Ball at(std::uint32_t id, double x, double y) {
@@ -77,6 +79,20 @@ TEST(Gates, SideGateIsAsWideAsTheMouth) {
   EXPECT_NEAR(gates[4].to.x - gates[4].from.x, 0.1285875, 1e-12);
   expect_near(gates[4].middle(), {0, physics::eight_foot_width_m / 2 - radius});
   expect_near(gates[1].middle(), {0, -physics::eight_foot_width_m / 2 + radius});
+}
+
+TEST(Gates, BetweenJawsTheMouthIsNarrowerByABall) {
+  physics::Scene scene = club();
+  scene.pockets = physics::JawedPockets{};
+  const auto gates = gates_of(scene);
+  ASSERT_EQ(gates.size(), 6u);
+  const auto width = [&](std::size_t i) { return physics::length(gates[i].to - gates[i].from); };
+  EXPECT_NEAR(width(3), 0.1158875 - 2 * radius, 1e-12);
+  EXPECT_NEAR(width(4), 0.1285875 - 2 * radius, 1e-12);
+  const double inward = 0.1158875 / std::sqrt(8.0);
+  expect_near(gates[3].middle(), {physics::eight_foot_length_m / 2 - inward,
+                                  physics::eight_foot_width_m / 2 - inward});
+  expect_near(gates[1].middle(), {0, -physics::eight_foot_width_m / 2});
 }
 
 TEST(Gates, NoPocketsNoGates) {

@@ -48,6 +48,14 @@ TEST(Input, ReadsWhatPreparesAShot) {
   wish_of<ShootNow>("s");
 }
 
+TEST(Input, ReadsWhereTheTipIsToBe) {
+  EXPECT_EQ(wish_of<SetTip>("tip 0.2 -.1").tip, (physics::Tip{0.2, -0.1}));
+  EXPECT_EQ(wish_of<SetTip>("tip centre").tip, physics::Tip{});
+  for (const char* line : {"tip", "tip 0.2", "tip left", "tip 0 0 0", "tip nan 0"}) {
+    EXPECT_NE(misread_of(line).find("tip SIDE HEIGHT"), std::string::npos) << line;
+  }
+}
+
 TEST(Input, ReadsCalls) {
   EXPECT_EQ(wish_of<MakeCall>("call 8 hr").call, (rules::Call{BallId{8}, PocketId{0}, false}));
   EXPECT_EQ(wish_of<MakeCall>("call safety").call, (rules::Call{{}, {}, true}));

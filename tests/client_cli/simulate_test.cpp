@@ -54,6 +54,25 @@ TEST(Simulate, PrintsEventsAndTheFinalStateInAFixedForm) {
   EXPECT_NE(lines[4].find("\"stopped\":\"rest\",\"digest\":\""), std::string::npos);
 }
 
+TEST(Simulate, PrintsSpinWhereBallsSpin) {
+  const std::string spinning = R"({
+    "scene": {"gravity": 9.81, "bed": {"motion": {"spinning":
+        {"slidingFriction": 0.2, "rollingFriction": 0.01, "spinFriction": 0.0127}}}},
+    "balls": [{"id": 0, "position": {"x": 0, "y": 0}}],
+    "strike": {"ball": 0, "direction": {"x": 1, "y": 0}, "speed": 0.5, "tip": {"side": 0.4}}
+  })";
+  const auto ran = simulate(spinning);
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  const auto lines = lines_of(ran.out);
+  ASSERT_EQ(lines.size(), 5u) << ran.out;
+  EXPECT_EQ(lines[0].find("\"w\":[0,0,0]"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[1].find("\"kind\":\"rolls\""), std::string::npos) << lines[1];
+  EXPECT_NE(lines[2].find("\"kind\":\"spins\""), std::string::npos) << lines[2];
+  EXPECT_NE(lines[2].find("\"phase\":\"spin\""), std::string::npos) << lines[2];
+  EXPECT_NE(lines[3].find("\"kind\":\"rests\""), std::string::npos) << lines[3];
+  EXPECT_NE(lines[3].find("\"w\":[0,0,0]"), std::string::npos) << lines[3];
+}
+
 TEST(Simulate, SlicesChangeNoByte) {
   EXPECT_EQ(simulate(scenario, {"--slices", "0.1,0.2,0.2,1e-18,5"}).out, simulate(scenario).out);
 }

@@ -97,6 +97,25 @@ TEST(Stance, RefusesWhatCannotBe) {
   EXPECT_EQ(stance.call, before.call);
 }
 
+TEST(Stance, TheTipStaysOnTheBall) {
+  Stanza at;
+  at.scene.bed.motion = physics::Spinning{};
+  Stance stance;
+  EXPECT_FALSE(set_tip(stance, at.moment(), {0.3, -0.4}));
+  EXPECT_EQ(stance.tip, (physics::Tip{0.3, -0.4}));
+  EXPECT_NE(preview(stance, at.moment())
+                .front()
+                .find("the tip 0.30 R left of and 0.40 R below the centre"),
+            std::string::npos);
+  const auto problem = set_tip(stance, at.moment(), {0.4, 0.4});
+  ASSERT_TRUE(problem);
+  EXPECT_NE(problem->find("at most 0.5 radii"), std::string::npos) << *problem;
+  EXPECT_EQ(stance.tip, (physics::Tip{0.3, -0.4}));
+  at.scene.bed.motion = physics::Straight{};
+  EXPECT_TRUE(set_tip(stance, at.moment(), {0.1, 0}));
+  EXPECT_FALSE(set_tip(stance, at.moment(), {}));
+}
+
 TEST(Stance, KnowsWhatIsMissing) {
   Stanza at;
   Stance stance;

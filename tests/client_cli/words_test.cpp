@@ -49,6 +49,17 @@ TEST(Words, SayCallsAsPlayersDo) {
   EXPECT_EQ(words_of(rules::Call{}), "");
 }
 
+TEST(Words, SayWhereTheTipMeetsTheBall) {
+  EXPECT_EQ(words_of(physics::Tip{}), "");
+  EXPECT_EQ(words_of(physics::Tip{0.2, 0}), "0.20 R left of the centre");
+  EXPECT_EQ(words_of(physics::Tip{0, -0.125}), "0.12 R below the centre");
+  EXPECT_EQ(words_of(physics::Tip{-0.3, 0.25}), "0.30 R right of and 0.25 R above the centre");
+  const match::Shoot shoot{{1, 0}, 2, {}, {0.2, 0}};
+  const std::string text = command_text({Seat{0}}, shoot, running(Seat{0}), ada_and_bob);
+  EXPECT_NE(text.find("0.00 degrees, the tip 0.20 R left of the centre."), std::string::npos)
+      << text;
+}
+
 TEST(Words, ListBallsWithTheCueBallByName) {
   EXPECT_EQ(balls_in_words({}), "");
   EXPECT_EQ(balls_in_words({BallId{8}}), "8");
@@ -56,6 +67,7 @@ TEST(Words, ListBallsWithTheCueBallByName) {
 }
 
 TEST(Words, DescribeEvents) {
+  EXPECT_EQ(words_of(physics::Event(physics::Spins{0, BallId{4}})), "4 ball spins in place");
   EXPECT_EQ(words_of(physics::Event(physics::Struck{0, BallId{0}})), "cue ball is struck");
   EXPECT_EQ(words_of(physics::Event(physics::BallBall{1, 0, BallId{0}, BallId{8}})),
             "cue ball and 8 ball collide");

@@ -143,6 +143,37 @@ TEST(Shoot, TheSpeedIsAboveZeroAndAtMostTheGreatest) {
   after(match, seat(0), Shoot{{1, 0}, std::numeric_limits<double>::denorm_min(), {}});
 }
 
+TEST(Shoot, TheTipMustNotSlipOffTheBall) {
+  match::Settings settings = eight_ball_settings();
+  settings.scene.bed.motion = physics::Spinning{};
+  const Match match = started(settings);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const physics::Tip tip :
+       {physics::Tip{0.51, 0}, physics::Tip{0, -0.51}, physics::Tip{0.4, 0.4}, physics::Tip{nan, 0},
+        physics::Tip{0, nan}, physics::Tip{infinity, 0}}) {
+    const Refusal refused = refusal(match, seat(0), Shoot{{1, 0}, 5, {}, tip});
+    EXPECT_EQ(refused.code, RefusalCode::bad_value);
+    EXPECT_EQ(refused.what.rfind("tip: is too far off the centre", 0), 0u) << refused.what;
+  }
+  after(match, seat(0), Shoot{{1, 0}, 2, {}, {0.3, -0.4}});
+  EXPECT_NE(after(match, seat(0), Shoot{{1, 0}, 2, {}, {0.3, 0.4}}),
+            after(match, seat(0), Shoot{{1, 0}, 2, {}}));
+}
+
+TEST(Shoot, WhereBallsDoNotSpinTheCentreIsStruck) {
+  match::Settings settings = eight_ball_settings();
+  settings.scene.bed.motion = physics::Straight{};
+  settings.scene.cushions = physics::RectangleCushions{physics::Mirror{}};
+  settings.scene.pockets = physics::StandardPockets{};
+  settings.scene.ball_ball = physics::Elastic{};
+  const Match match = started(settings);
+  const Refusal refused = refusal(match, seat(0), Shoot{{1, 0}, 5, {}, {0.1, 0}});
+  EXPECT_EQ(refused.code, RefusalCode::bad_value);
+  EXPECT_EQ(refused.what.rfind("tip: is off the centre; ", 0), 0u) << refused.what;
+  after(match, seat(0), Shoot{{1, 0}, 5, {}, {-0.0, 0}});
+}
+
 TEST(Shoot, TheCallMustSuitTheMoment) {
   EXPECT_EQ(refusal(started(eight_ball_settings()), seat(0), Shoot{{1, 0}, 5, safety}).code,
             RefusalCode::bad_value);

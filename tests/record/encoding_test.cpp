@@ -17,22 +17,30 @@ using support::Arbitrary;
 /// Which alternatives the random values went through: a round trip proves nothing of what was
 /// never drawn.
 struct Coverage {
-  std::set<std::size_t> motions, cushions, cushion_models, ball_balls, commands, events;
+  std::set<std::size_t> motions, cushions, cushion_models, pockets, ball_balls, commands, events;
+  std::size_t arcs = 0, tips = 0, spinning_segments = 0;
 
   void add(const physics::CushionModel& model) { cushion_models.insert(model.index()); }
   void add(const physics::Scene& scene) {
     motions.insert(scene.bed.motion.index());
     if (scene.ball_ball) ball_balls.insert(scene.ball_ball->index());
+    if (scene.pockets) pockets.insert(scene.pockets->index());
     if (!scene.cushions) return;
     cushions.insert(scene.cushions->index());
     if (const auto* free = std::get_if<physics::FreeCushions>(&*scene.cushions)) {
       for (const auto& segment : free->segments) add(segment.model);
+      arcs += free->arcs.size();
     }
   }
   void add(const Entry& entry) {
     commands.insert(entry.command.index());
+    const auto* shoot = std::get_if<match::Shoot>(&entry.command);
+    if (shoot != nullptr && shoot->tip != physics::Tip{}) ++tips;
     if (!entry.outcome.shot) return;
     for (const physics::Event& event : entry.outcome.shot->events) events.insert(event.index());
+    for (const physics::Segment& segment : entry.outcome.shot->segments) {
+      if (segment.spin != physics::Vec3{}) ++spinning_segments;
+    }
   }
 };
 
@@ -60,6 +68,8 @@ TEST(Encoding, GivesBackEveryHeader) {
   EXPECT_EQ(coverage.cushions.size(), std::variant_size_v<physics::Cushions>);
   EXPECT_EQ(coverage.cushion_models.size(), std::variant_size_v<physics::CushionModel>);
   EXPECT_EQ(coverage.ball_balls.size(), std::variant_size_v<physics::BallBallModel>);
+  EXPECT_EQ(coverage.pockets.size(), std::variant_size_v<physics::Pockets>);
+  EXPECT_GT(coverage.arcs, 0u);
 }
 
 TEST(Encoding, GivesBackEveryEntry) {
@@ -76,6 +86,8 @@ TEST(Encoding, GivesBackEveryEntry) {
   }
   EXPECT_EQ(coverage.commands.size(), std::variant_size_v<match::Command>);
   EXPECT_EQ(coverage.events.size(), std::variant_size_v<physics::Event>);
+  EXPECT_GT(coverage.tips, 0u);
+  EXPECT_GT(coverage.spinning_segments, 0u);
 }
 
 // The digest before, then the entry's bytes, of which the last 32 are its own digest.

@@ -38,6 +38,29 @@ TEST(SimulationDigest, IsOfTheEventsAndTheFinalState) {
   EXPECT_EQ(simulation_digest(shot), hash::sha256(expected.bytes()));
 }
 
+// Written out by hand from docs/record.md: what spins at the end comes last, where anything does.
+TEST(SimulationDigest, IsOfFinalSpinWhereThereIsAny) {
+  const physics::BallId still{2}, spinning{7};
+  physics::Shot shot;
+  shot.segments = {{still, physics::Phase::rest, 0, {1, 2}, {}, {}},
+                   {spinning, physics::Phase::spin, 0, {3, 4}, {}, {}, {0, 0, 5}, {0, 0, -2}}};
+  shot.end_s = 0.5;
+  shot.stop = physics::Stop::horizon;
+  Writer expected;
+  const auto u8 = [&](std::uint8_t value) { expected.number(value); };
+  const auto u32 = [&](std::uint32_t value) { expected.number(value); };
+  const auto f64 = [&](double value) { expected.number(value); };
+  expected.raw(hash::bytes_of("breakshot.simulate.1"));
+  u32(0);
+  f64(0.5), u8(1);
+  u32(2);
+  u32(2), u8(0), f64(1), f64(2), f64(0), f64(0);
+  u32(7), u8(3), f64(3), f64(4), f64(0), f64(0);
+  u32(0);
+  u32(1), u32(7), f64(0), f64(0), f64(4);
+  EXPECT_EQ(simulation_digest(shot), hash::sha256(expected.bytes()));
+}
+
 TEST(SimulationDigest, DependsOnEveryEventAndOnWhereBallsEnd) {
   const hash::Digest digest = simulation_digest(fixed_shot());
   EXPECT_NE(digest_after([](auto& s) { s.events.pop_back(); }), digest);

@@ -94,6 +94,21 @@ TEST(Replay, CannotVerifyPhysicsThatItDoesNotKnow) {
   EXPECT_EQ(verify(record), (Verdict{Kind::unknown_physics, 0, std::nullopt}));
 }
 
+TEST(Replay, VerifiesWhatEarlierVersionsOfThePhysicsPlayed) {
+  for (const std::uint32_t version : earlier_physics) {
+    // The paper's table has been there since the first version.
+    PlayedMatch match(2, match::GameKind::eight_ball, 2, physics::presets().back());
+    match.play(12);
+    Record record = match.record();
+    record.header.physics = version;
+    EXPECT_EQ(verify(rechained(record)).kind, Kind::verified) << version;
+  }
+  EXPECT_TRUE(can_simulate(1));
+  EXPECT_TRUE(can_simulate(physics::physics_version));
+  EXPECT_FALSE(can_simulate(0));
+  EXPECT_NE(simulated_versions().find(std::to_string(physics::physics_version)), std::string::npos);
+}
+
 TEST(Replay, NamesTheFirstEventThatDiverges) {
   Record record = played();
   const std::size_t at = first_shot(record);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/physics/rails.hpp"
 #include "tests/support/shot_builder.hpp"
 
 namespace breakshot::rules {
@@ -108,6 +109,25 @@ TEST(Rule8_4, AFrozenBallThatReturnsWithinOneCurvedSegmentHasLeft) {
                                    .moves(0.5, 1, {at_foot_rail, 0}, {-0.2, 0}, {2, 0})
                                    .reaches_rail(0.7, 1, 0));
   EXPECT_TRUE(f.cushion_after_contact);
+}
+
+TEST(Rule8_4, TheJawsOfPocketsAreRails) {
+  physics::Scene scene = support::club_scene();
+  scene.pockets = physics::JawedPockets{};
+  const physics::RailArc jaw = physics::rails_of(scene).arcs.at(0);
+  const physics::Vec2 middle = jaw.nose.from + jaw.nose.to;
+  const physics::Vec2 outward = middle / physics::length(middle);
+  const double touching_m = jaw.nose.radius_m + scene.ball.radius_m;
+  for (const auto& [gap_m, driven] : {std::pair{0.0, false}, std::pair{1e-3, true}}) {
+    const physics::Vec2 place = jaw.nose.centre + outward * (touching_m + gap_m);
+    const auto table = table_of({{0, {0, 0}}, {1, place}});
+    const physics::Shot shot = ShotBuilder(table)
+                                   .hits(0.5, 0, 1)
+                                   .moves(0.5, 1, place, outward * -0.1)
+                                   .reaches_rail(0.51, 1, physics::number(jaw.id))
+                                   .shot();
+    EXPECT_EQ(facts_of(scene, table, shot).cushion_after_contact, driven) << gap_m;
+  }
 }
 
 TEST(Rule8_4, ABallFrozenToOneRailIsDrivenToAnother) {

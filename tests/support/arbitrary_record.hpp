@@ -87,15 +87,12 @@ class Arbitrary {
     physics::Scene scene;
     if (coin()) scene.gravity_m_s2 = real();
     scene.ball = {real(), real()};
-    if (coin()) scene.bed.motion = physics::Straight{real(), real(), real()};
+    scene.bed.motion = motion();
     if (coin()) scene.bed.length_m = real();
     if (coin()) scene.bed.width_m = real();
     if (coin()) scene.cushions = cushions();
-    if (coin()) scene.pockets = physics::StandardPockets{real(), real()};
-    if (coin()) {
-      scene.ball_ball = physics::Elastic{};
-      if (coin()) scene.ball_ball = physics::BallRestitution{real(), real()};
-    }
+    if (coin()) scene.pockets = pockets();
+    if (coin()) scene.ball_ball = ball_ball();
     if (coin()) scene.perturbation = physics::Perturbation{real(), real()};
     return scene;
   }
@@ -121,6 +118,7 @@ class Arbitrary {
   physics::BallId ball() { return physics::BallId{number()}; }
   physics::PocketId pocket() { return physics::PocketId(below(256)); }
   physics::Vec2 vec2() { return {real(), real()}; }
+  physics::Vec3 vec3() { return {real(), real(), real()}; }
 
   template <class T>
   const T& one_of(const std::vector<T>& values) {
@@ -144,9 +142,49 @@ class Arbitrary {
     return settings;
   }
 
+  physics::Motion motion() {
+    switch (below(3)) {
+      case 0:
+        return physics::Frictionless{};
+      case 1:
+        return physics::Straight{real(), real(), real()};
+      default:
+        return physics::Spinning{real(), real(), real()};
+    }
+  }
+
   physics::CushionModel cushion_model() {
-    if (coin()) return physics::Mirror{};
-    return physics::CushionRestitution{real(), real(), real()};
+    switch (below(5)) {
+      case 0:
+        return physics::Mirror{};
+      case 1:
+        return physics::CushionRestitution{real(), real(), real()};
+      case 2:
+        return physics::Han2005{real(), real(), real()};
+      case 3:
+        return physics::Mathavan2010{real(), real(), real()};
+      default:
+        return physics::Stronge2000{real(), real(), real(), real()};
+    }
+  }
+
+  physics::Pockets pockets() {
+    if (coin()) return physics::StandardPockets{real(), real()};
+    return physics::JawedPockets{real(), real(), real(), real(), real(),
+                                 real(), real(), real(), real(), real()};
+  }
+
+  physics::BallBallModel ball_ball() {
+    switch (below(4)) {
+      case 0:
+        return physics::Elastic{};
+      case 1:
+        return physics::BallRestitution{real(), real()};
+      case 2:
+        return physics::BallFriction{real(), real(), real(), real(), real()};
+      default:
+        return physics::Mathavan2014{real(), real(), real()};
+    }
   }
 
   physics::Cushions cushions() {
@@ -155,6 +193,10 @@ class Arbitrary {
     for (std::uint64_t i = below(4); i > 0; --i) {
       free.segments.push_back({vec2(), vec2(), cushion_model()});
     }
+    if (coin()) return free;
+    for (std::uint64_t i = below(4); i > 0; --i) {
+      free.arcs.push_back({vec2(), real(), vec2(), vec2(), cushion_model()});
+    }
     return free;
   }
 
@@ -162,15 +204,17 @@ class Arbitrary {
     physics::State state;
     std::uint32_t id = number() % 100;
     for (std::uint64_t i = below(5); i > 0; --i) {
-      state.balls.push_back(
-          {physics::BallId{id}, vec2(), vec2(), physics::Vec3{real(), real(), real()}});
+      state.balls.push_back({physics::BallId{id}, vec2(), vec2(), vec3()});
       id += 1 + number() % 1000;
     }
     return state;
   }
 
   physics::Segment segment(physics::BallId ball, double start_s) {
-    return {ball, physics::Phase(below(5)), start_s, vec2(), vec2(), vec2()};
+    physics::Segment segment{ball, physics::Phase(below(5)), start_s, vec2(), vec2(), vec2()};
+    if (coin()) segment.spin = vec3();
+    if (coin()) segment.spin_change = vec3();
+    return segment;
   }
 
   std::vector<double> times(double end_s) {
@@ -185,7 +229,7 @@ class Arbitrary {
   physics::Event event(const std::vector<physics::BallId>& balls, double time_s) {
     const physics::BallId ball = one_of(balls), other = one_of(balls);
     const std::uint32_t pass = number();
-    switch (below(6)) {
+    switch (below(7)) {
       case 0:
         return physics::Struck{time_s, ball};
       case 1:
@@ -197,6 +241,8 @@ class Arbitrary {
         return physics::BallPocket{time_s, pass, ball, pocket()};
       case 4:
         return physics::Rolls{time_s, ball};
+      case 5:
+        return physics::Spins{time_s, ball};
       default:
         return physics::Rests{time_s, ball};
     }
@@ -217,7 +263,8 @@ class Arbitrary {
       case 1:
         return match::Place{ball(), vec2()};
       case 2:
-        return match::Shoot{vec2(), real(), call()};
+        if (coin()) return match::Shoot{vec2(), real(), call()};
+        return match::Shoot{vec2(), real(), call(), {real(), real()}};
       case 3:
         return match::Choose{rules::Option(below(6))};
       case 4:

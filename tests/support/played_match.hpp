@@ -14,8 +14,9 @@ namespace breakshot::support {
 
 class PlayedMatch {
  public:
-  PlayedMatch(std::uint64_t seed, match::GameKind game, std::uint8_t seats)
-      : random_(seed), match_(begin(game, seats)) {
+  PlayedMatch(std::uint64_t seed, match::GameKind game, std::uint8_t seats,
+              const physics::Preset& preset = physics::presets().front())
+      : random_(seed), match_(begin(game, seats, preset)) {
     add({}, match::Start{});
   }
 
@@ -52,10 +53,9 @@ class PlayedMatch {
   }
 
  private:
-  match::Match begin(match::GameKind game, std::uint8_t seats) {
+  match::Match begin(match::GameKind game, std::uint8_t seats, const physics::Preset& preset) {
     record::Header& header = record_.header;
     header.id = match::MatchId{random_.below(1'000'000)};
-    const physics::Preset& preset = physics::presets().front();
     header.settings = {std::string(preset.name), preset.scene, game, seats, 1};
     std::vector<match::Contribution> contributions;
     for (std::uint8_t seat = 0; seat < seats; ++seat) {
@@ -98,6 +98,10 @@ class PlayedMatch {
   match::Command shot() {
     const rules::GameStatus& game = match_.status.game;
     match::Shoot shoot{physics::direction_of(within(physics::pi)), 1 + within(0.9), {}};
+    const physics::Motion& motion = match_.settings.scene.bed.motion;
+    if (std::holds_alternative<physics::Spinning>(motion) && random_.coin()) {
+      shoot.tip = {within(0.35), within(0.35)};
+    }
     if (game.breaking) {
       shoot.direction = physics::direction_of(within(0.02));
       shoot.speed_m_s = random_.coin() ? 8 : 1;  // the slow one is no legal break

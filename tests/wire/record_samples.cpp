@@ -13,6 +13,9 @@ namespace {
 physics::Vec2 random_vec2(Chance& chance) {
   return {chance.real(), chance.real()};
 }
+physics::Vec3 random_vec3(Chance& chance) {
+  return {chance.real(), chance.real(), chance.real()};
+}
 BallId random_ball(Chance& chance) {
   return BallId{chance.u32() >> chance.below(32)};
 }
@@ -21,9 +24,49 @@ physics::PocketId random_pocket(Chance& chance) {
 }
 
 physics::CushionModel random_cushion_model(Chance& chance) {
-  if (chance.coin()) return physics::Mirror{};
-  return physics::CushionRestitution{chance.between(0, 1), chance.between(0, 1),
-                                     chance.between(0, 1)};
+  const auto share = [&] { return chance.between(0, 1); };
+  const auto height_m = [&] { return chance.between(0.03, 0.04); };
+  switch (chance.below(5)) {
+    case 0:
+      return physics::Mirror{};
+    case 1:
+      return physics::CushionRestitution{share(), share(), share()};
+    case 2:
+      return physics::Han2005{share(), share(), height_m()};
+    case 3:
+      return physics::Mathavan2010{share(), share(), height_m()};
+    default:
+      return physics::Stronge2000{share(), share(), height_m(), chance.between(1, 10)};
+  }
+}
+
+physics::BallBallModel random_ball_ball(Chance& chance) {
+  const auto share = [&] { return chance.between(0, 1); };
+  switch (chance.below(4)) {
+    case 0:
+      return physics::Elastic{};
+    case 1:
+      return physics::BallRestitution{share(), share()};
+    case 2:
+      return physics::BallFriction{share(), share(), share(), chance.between(0, 9), share()};
+    default:
+      return physics::Mathavan2014{share(), share(), share()};
+  }
+}
+
+/// Within the ranges of their defaults, so that the scene stays free of faults.
+physics::Pockets random_pockets(Chance& chance) {
+  if (chance.coin()) {
+    return physics::StandardPockets{chance.between(0.1, 0.2), chance.between(0.1, 1)};
+  }
+  physics::JawedPockets jaws;
+  for (double* number :
+       {&jaws.corner_mouth_m, &jaws.side_mouth_m, &jaws.corner_cut_rad, &jaws.side_cut_rad,
+        &jaws.corner_shelf_m, &jaws.side_shelf_m, &jaws.corner_nose_m, &jaws.side_nose_m,
+        &jaws.corner_hole_m, &jaws.side_hole_m}) {
+    *number *= chance.between(0.99, 1.01);
+  }
+  return jaws;
 }
 
 /// A scene without faults that is not one of the presets.
@@ -33,18 +76,23 @@ physics::Scene random_scene(Chance& chance) {
   scene.bed.width_m = chance.between(1, 2);
   scene.ball = {chance.between(0.02, 0.03), chance.between(0.1, 0.2)};
   scene.gravity_m_s2 = chance.between(1, 20);
-  if (chance.coin()) {
-    scene.bed.motion =
-        physics::Straight{chance.between(0, 1), chance.between(0, 1), chance.between(0, 2)};
+  switch (chance.below(3)) {
+    case 0:
+      break;
+    case 1:
+      scene.bed.motion =
+          physics::Straight{chance.between(0, 1), chance.between(0, 1), chance.between(0, 2)};
+      break;
+    default:
+      scene.bed.motion =
+          physics::Spinning{chance.between(0, 1), chance.between(0, 1), chance.between(0, 1)};
   }
   switch (chance.below(3)) {
     case 0:
       break;
     case 1:
       scene.cushions = physics::RectangleCushions{random_cushion_model(chance)};
-      if (chance.coin()) {
-        scene.pockets = physics::StandardPockets{chance.between(0.1, 0.2), chance.between(0.1, 1)};
-      }
+      if (chance.coin()) scene.pockets = random_pockets(chance);
       break;
     default:
       scene.cushions = physics::FreeCushions{chance.some(5, [](Chance& c) {
@@ -53,11 +101,7 @@ physics::Scene random_scene(Chance& chance) {
         return physics::CushionSegment{from, to, random_cushion_model(c)};
       })};
   }
-  if (chance.coin()) {
-    scene.ball_ball = physics::Elastic{};
-  } else {
-    scene.ball_ball = physics::BallRestitution{chance.between(0, 1), chance.between(0, 1)};
-  }
+  scene.ball_ball = random_ball_ball(chance);
   if (chance.coin()) {
     scene.perturbation = physics::Perturbation{chance.between(0, 1), chance.between(0, 1)};
   }
@@ -65,16 +109,13 @@ physics::Scene random_scene(Chance& chance) {
 }
 
 physics::Ball random_ball_at(Chance& chance) {
-  return {random_ball(chance),
-          random_vec2(chance),
-          random_vec2(chance),
-          {chance.real(), chance.real(), chance.real()}};
+  return {random_ball(chance), random_vec2(chance), random_vec2(chance), random_vec3(chance)};
 }
 
 physics::Event random_event(Chance& chance, double t) {
   const BallId ball{static_cast<std::uint32_t>(chance.below(16))};
   const std::uint32_t pass = chance.u32() >> chance.below(32);
-  switch (chance.below(6)) {
+  switch (chance.below(7)) {
     case 0:
       return physics::Struck{t, ball};
     case 1: {
@@ -88,6 +129,8 @@ physics::Event random_event(Chance& chance, double t) {
       return physics::BallPocket{t, pass, ball, random_pocket(chance)};
     case 4:
       return physics::Rolls{t, ball};
+    case 5:
+      return physics::Spins{t, ball};
     default:
       return physics::Rests{t, ball};
   }
@@ -127,7 +170,9 @@ physics::Shot random_shot(Chance& chance, std::size_t events) {
   physics::Shot shot;
   const auto segment = [&](std::uint32_t ball, double start) {
     shot.segments.push_back({BallId{ball}, chance.one_of<physics::Phase>(5), start,
-                             random_vec2(chance), random_vec2(chance), random_vec2(chance)});
+                             random_vec2(chance), random_vec2(chance), random_vec2(chance),
+                             chance.coin() ? random_vec3(chance) : physics::Vec3{},
+                             chance.coin() ? random_vec3(chance) : physics::Vec3{}});
   };
   for (std::uint32_t ball = 0; ball < 16; ++ball) segment(ball, 0);
   double t = 0;
@@ -198,7 +243,8 @@ match::Command random_command(Chance& chance, std::size_t index) {
     case 2:
       return match::Shoot{random_vec2(chance),
                           chance.real(),
-                          {chance.maybe(random_ball), chance.maybe(random_pocket), chance.coin()}};
+                          {chance.maybe(random_ball), chance.maybe(random_pocket), chance.coin()},
+                          {chance.coin() ? chance.real() : 0, chance.coin() ? chance.real() : 0}};
     case 3:
       return match::Choose{chance.one_of<rules::Option>(6)};
     case 4:

@@ -49,7 +49,7 @@ TEST(Scenario, ReadsWhatItSays) {
   ASSERT_NE(scenario, nullptr) << fault_of(good);
   EXPECT_EQ(std::get<physics::Straight>(scenario->scene.bed.motion).sliding_friction, 0.2);
   EXPECT_EQ(std::get<physics::BallRestitution>(*scenario->scene.ball_ball).elastic_below_m_s, 1e-3);
-  EXPECT_EQ(scenario->scene.pockets->side_mouth_m, 0.1285875);
+  EXPECT_EQ(std::get<physics::StandardPockets>(*scenario->scene.pockets).side_mouth_m, 0.1285875);
   EXPECT_EQ(scenario->scene.perturbation->cushion, 0);
   ASSERT_EQ(scenario->state.balls.size(), 2u);
   EXPECT_EQ(scenario->state.balls[1].velocity, (physics::Vec2{0.1, 0}));
@@ -61,9 +61,138 @@ TEST(Scenario, ReadsWhatItSays) {
 
 TEST(Scenario, NamesFieldsThatDoNotExist) {
   expect_fault("\"gravity\"", "\"gravitas\"", "scene.gravitas");
-  expect_fault("\"straight\"", "\"spinning\"", "scene.bed.motion.spinning");
-  expect_fault("\"mirror\"", "\"han2005\"", "scene.cushions.rectangle.model.han2005");
+  expect_fault("\"straight\"", "\"flying\"", "scene.bed.motion.flying");
+  expect_fault("\"mirror\"", "\"rubber\"", "scene.cushions.rectangle.model.rubber");
   expect_fault("\"x\": 0.1", "\"z\": 0.1", "balls[1].velocity.z");
+}
+
+// ---- The full model
+
+const std::string full = R"({
+  "scene": {
+    "gravity": 9.81,
+    "bed": {"length": 2.3368, "width": 1.1684, "motion": {"spinning":
+        {"slidingFriction": 0.2, "rollingFriction": 0.01, "spinFriction": 0.0127}}},
+    "cushions": {"rectangle": {"model": {"stronge2000":
+        {"restitution": 0.8, "friction": 0.21, "height": 0.036}}}},
+    "pockets": {"jawed": {"cornerMouth": 0.12, "sideShelf": 0.005}},
+    "ballBall": {"frictional": {"restitution": 0.9, "c": 2}}
+  },
+  "balls": [{"id": 0, "position": {"x": -0.5842, "y": 0}},
+            {"id": 7, "position": {"x": 0.5842, "y": 0}, "spin": {"x": 1, "y": 2, "z": 3}}],
+  "strike": {"ball": 0, "angle": 0.5, "speed": 3.0, "tip": {"side": 0.2, "height": -0.1}}
+})";
+
+const std::string free_cushions = R"({
+  "scene": {
+    "bed": {"motion": {"frictionless": {}}},
+    "cushions": {
+      "segments": [{"from": {"x": 1, "y": -1}, "to": {"x": 1, "y": 1}, "model": {"mirror": {}}}],
+      "arcs": [{"centre": {"x": -2, "y": 0}, "radius": 0.5, "from": {"x": 0, "y": -1},
+                "to": {"x": 1, "y": 0}, "model": {"restitution": {"normal": 0.8, "tangential": 1}}}]
+    }
+  },
+  "balls": [{"id": 0, "position": {"x": 0, "y": 0}}],
+  "horizon": 60
+})";
+
+Scenario scenario_of(const std::string& text) {
+  const auto reading = read_scenario(text);
+  EXPECT_EQ(fault_of(text), "");
+  const auto* scenario = std::get_if<Scenario>(&reading);
+  return scenario == nullptr ? Scenario{} : *scenario;
+}
+
+void expect_fault_of_full(const std::string& from, const std::string& to,
+                          const std::string& field) {
+  const std::string fault = fault_of(support::replaced(full, from, to));
+  EXPECT_EQ(fault.rfind(field + ": ", 0), 0u) << to << " gives: " << fault;
+}
+
+TEST(Scenario, ReadsTheFullModel) {
+  const Scenario scenario = scenario_of(full);
+  const physics::Scene& scene = scenario.scene;
+  EXPECT_EQ(scene.bed.motion, (physics::Motion{physics::Spinning{0.2, 0.01, 0.0127}}));
+  physics::Stronge2000 nose{0.8, 0.21, 0.036};
+  EXPECT_EQ(nose.frequency_ratio, 1.8);
+  EXPECT_EQ(scene.cushions, physics::Cushions{physics::RectangleCushions{nose}});
+  physics::JawedPockets jaws;
+  jaws.corner_mouth_m = 0.12;
+  jaws.side_shelf_m = 0.005;
+  EXPECT_EQ(scene.pockets, physics::Pockets{jaws});
+  physics::BallFriction throwing;
+  throwing.restitution = 0.9;
+  throwing.c_s_m = 2;
+  EXPECT_EQ(scene.ball_ball, physics::BallBallModel{throwing});
+  EXPECT_EQ(scenario.strike->tip, (physics::Tip{0.2, -0.1}));
+  EXPECT_EQ(scenario.state.balls.at(1).spin, (physics::Vec3{1, 2, 3}));
+}
+
+TEST(Scenario, ReadsEveryModelOfSpinningBalls) {
+  const std::string stronge = R"("stronge2000":
+        {"restitution": 0.8, "friction": 0.21, "height": 0.036})";
+  const std::string numbers = R"({"restitution": 0.7, "friction": 0.1, "height": 0.035})";
+  const auto cushion = [&](const std::string& name) {
+    const auto scenario =
+        scenario_of(support::replaced(full, stronge, "\"" + name + "\":" + numbers));
+    return std::get<physics::RectangleCushions>(scenario.scene.cushions.value()).model;
+  };
+  EXPECT_EQ(cushion("han2005"), (physics::CushionModel{physics::Han2005{0.7, 0.1, 0.035}}));
+  EXPECT_EQ(cushion("mathavan2010"),
+            (physics::CushionModel{physics::Mathavan2010{0.7, 0.1, 0.035}}));
+  const Scenario scenario =
+      scenario_of(support::replaced(full, R"("frictional": {"restitution": 0.9, "c": 2})",
+                                    R"("mathavan2014": {"restitution": 0.9, "friction": 0.06})"));
+  physics::Mathavan2014 model;
+  model.restitution = 0.9;
+  model.friction = 0.06;
+  EXPECT_EQ(scenario.scene.ball_ball, physics::BallBallModel{model});
+}
+
+TEST(Scenario, ReadsArcsAfterSegments) {
+  const Scenario scenario = scenario_of(free_cushions);
+  const auto& cushions = std::get<physics::FreeCushions>(scenario.scene.cushions.value());
+  ASSERT_EQ(cushions.segments.size(), 1u);
+  ASSERT_EQ(cushions.arcs.size(), 1u);
+  EXPECT_EQ(cushions.arcs[0],
+            (physics::CushionArc{
+                {-2, 0}, 0.5, {0, -1}, {1, 0}, physics::CushionRestitution{0.8, 1, 1e-3}}));
+  EXPECT_EQ(fault_of(support::replaced(free_cushions, "\"radius\": 0.5, ", "")),
+            "scene.cushions.arcs[0].radius: is missing; it must be given");
+  EXPECT_EQ(fault_of(support::replaced(free_cushions, "\"centre\": {\"x\": -2, \"y\": 0}, ", "")),
+            "scene.cushions.arcs[0].centre.x: is missing; it must be given");
+  EXPECT_EQ(fault_of(support::replaced(
+                free_cushions,
+                "\"segments\":", "\"rectangle\": {\"model\": {\"mirror\": {}}}, \"segments\":")),
+            "scene.cushions: must be a rectangle, or segments and arcs, not both");
+}
+
+TEST(Scenario, NamesWhatIsMissingInTheFullModel) {
+  const std::string stronge = "scene.cushions.rectangle.model.stronge2000.";
+  expect_fault_of_full("\"rollingFriction\": 0.01, ", "",
+                       "scene.bed.motion.spinning.rollingFriction");
+  expect_fault_of_full(", \"spinFriction\": 0.0127", "", "scene.bed.motion.spinning.spinFriction");
+  expect_fault_of_full("\"restitution\": 0.8, ", "", stronge + "restitution");
+  expect_fault_of_full("\"friction\": 0.21, ", "", stronge + "friction");
+  expect_fault_of_full(", \"height\": 0.036", "", stronge + "height");
+  expect_fault_of_full("\"restitution\": 0.9, ", "", "scene.ballBall.frictional.restitution");
+  expect_fault_of_full("\"frictional\": {\"restitution\": 0.9, \"c\": 2}",
+                       "\"mathavan2014\": {\"restitution\": 0.9}",
+                       "scene.ballBall.mathavan2014.friction");
+  expect_fault_of_full("\"frictional\": {\"restitution\": 0.9, \"c\": 2}", "", "scene.ballBall");
+  expect_fault_of_full("\"jawed\": {\"cornerMouth\": 0.12, \"sideShelf\": 0.005}", "",
+                       "scene.pockets");
+}
+
+TEST(Scenario, NamesWhatCannotBeInTheFullModel) {
+  expect_fault_of_full("\"side\": 0.2", "\"side\": 0.6", "strike.tip");
+  expect_fault_of_full("\"side\": 0.2", "\"side\": \"NaN\"", "strike.tip.side");
+  expect_fault_of_full("\"side\": 0.2", "\"left\": 0.2", "strike.tip.left");
+  expect_fault_of_full("\"height\": 0.036", "\"height\": 0.1",
+                       "scene.cushions.rectangle.model.stronge2000.height");
+  EXPECT_EQ(fault_of(support::replaced(full, "\"side\": 0.2, ", "")), "");
+  EXPECT_EQ(fault_of(support::replaced(full, "0.0127", "0")).rfind("horizon: ", 0), 0u);
+  expect_fault("\"speed\": 3.0", "\"speed\": 3.0, \"tip\": {\"side\": 0.1}", "strike.tip");
 }
 
 TEST(Scenario, NamesFieldsThatAreGivenTwice) {

@@ -76,6 +76,7 @@ TEST(Translate, BringsEveryBitOfAShotOver) {
   record::Entry entry = samples::random_entry(chance);
   entry.outcome.shot = samples::random_shot(chance, 40);
   entry.outcome.shot->segments.front().velocity = {-0.0, 0x1p-1074};
+  entry.outcome.shot->segments.front().spin = {0, -0.0, 0x1p-1074};
   const auto shared = std::make_shared<const record::Entry>(entry);
   const ByteVector frame = frame_of(lobby::Told{{}, lobby::EntryNews{match::MatchId{1}, shared}});
   const auto read = read_told(body_of(frame));
@@ -84,14 +85,22 @@ TEST(Translate, BringsEveryBitOfAShotOver) {
   const physics::Segment& segment = news.entry->outcome.shot->segments.front();
   EXPECT_TRUE(std::signbit(segment.velocity.x));
   EXPECT_EQ(segment.velocity.y, 0x1p-1074);
+  EXPECT_TRUE(std::signbit(segment.spin.y));
+  EXPECT_EQ(segment.spin.z, 0x1p-1074);
 }
 
 /// As many bytes as events can take: each changes two balls, and no number is 0.
 physics::Shot longest_shot() {
   physics::Shot shot;
   const auto segment = [&](std::uint32_t ball, double t) {
-    shot.segments.push_back(
-        {physics::BallId{ball}, physics::Phase::slide, t, {0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}});
+    shot.segments.push_back({physics::BallId{ball},
+                             physics::Phase::slide,
+                             t,
+                             {0.1, 0.2},
+                             {0.3, 0.4},
+                             {0.5, 0.6},
+                             {0.7, 0.8, 0.9},
+                             {1.1, 1.2, 1.3}});
   };
   for (std::uint32_t ball = 0; ball < 16; ++ball) segment(ball, 0);
   for (std::size_t i = 0; i < physics::max_match_events; ++i) {
@@ -126,9 +135,9 @@ TEST(Translate, FitsTheLongestHelloIntoTheSmallestFrame) {
 }
 
 TEST(Translate, SaysHelloAsTheProtocolDescribesIt) {
-  const lobby::Asked asked{lobby::RequestId{1}, lobby::Hello{1, "Ada", std::nullopt}};
+  const lobby::Asked asked{lobby::RequestId{1}, lobby::Hello{2, "Ada", std::nullopt}};
   const ByteVector documented = {0x00, 0x00, 0x00, 0x0b, 0x08, 0x01, 0x12, 0x07,
-                                 0x08, 0x01, 0x12, 0x03, 0x41, 0x64, 0x61};
+                                 0x08, 0x02, 0x12, 0x03, 0x41, 0x64, 0x61};
   EXPECT_EQ(frame_of(asked), documented) << "as in docs/protocol.md";
 }
 
