@@ -173,8 +173,9 @@ void Session::handle(const std::string& line) {
   } else {
     std::visit([this](const auto& wish) { handle(wish); }, std::get<Input>(input));
   }
+  if (leaving_ || is_over(player_.view())) return;
   // A new question brings its own prompt.
-  if (!leaving_ && (asked_for_ == player_.view().next || !is_asked())) prompt();
+  if (asked_for_ == player_.view().next || !is_asked()) prompt();
 }
 
 Moment Session::moment() const {
