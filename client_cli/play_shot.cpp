@@ -123,8 +123,10 @@ std::vector<physics::BallId> pocketed_by(const physics::Shot& shot, double time_
 
 std::string clock_text(const Playback& playback) {
   char text[80];
-  std::snprintf(text, sizeof text, "%.2f of %.2f s, %gx%s", playback.time_s(), playback.end_s(),
-                playback.speed(), playback.paused() ? ", paused" : "");
+  // Within a break events follow each other in less than a millisecond, and steps should be seen.
+  const int digits = playback.paused() ? 5 : 2;
+  std::snprintf(text, sizeof text, "%.*f of %.2f s, %gx%s", digits, playback.time_s(),
+                playback.end_s(), playback.speed(), playback.paused() ? ", paused" : "");
   return text;
 }
 

@@ -24,10 +24,16 @@ struct Options {
 
 int play(const Options& options, const Globals& globals) {
   const Opening opening = options.opening.opening();
-  Connection connection(server_of(globals), guest_of(options.name), notice_on_standard_error());
-  const Surroundings surroundings{std::cout,     abilities_of(globals.colour),
-                                  STDIN_FILENO,  globals.json,
-                                  options.speed, globals.server};
+  const Abilities abilities = abilities_of(globals.colour);
+  Connection connection(server_of(globals), guest_of(options.name),
+                        [interactive = abilities.interactive,
+                         notice = notice_on_standard_error()](const std::string& what) {
+                          // Not behind the prompt.
+                          if (interactive) std::cout << "\r\x1b[K" << std::flush;
+                          notice(what);
+                        });
+  const Surroundings surroundings{std::cout,    abilities,     STDIN_FILENO,
+                                  globals.json, options.speed, globals.server};
   Session session(connection, sit_down(connection, opening), surroundings);
   return session.run();
 }

@@ -1,5 +1,6 @@
 #include "client_cli/online/match_view.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace breakshot::client {
@@ -39,6 +40,11 @@ void take(MatchView& view, const News& news) {
 match::Stage stage_of(const MatchView& view) {
   // The entries are newer than the last news of the seats.
   return view.last ? view.last->outcome.status.stage : match::Stage::gathering;
+}
+
+bool has_free_seat(const lobby::MatchInfo& info) {
+  return std::any_of(info.seats.begin(), info.seats.end(),
+                     [](const lobby::SeatInfo& seat) { return seat.name.empty(); });
 }
 
 bool is_over(const MatchView& view) {

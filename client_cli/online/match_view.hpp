@@ -30,6 +30,7 @@ MatchView view_of(const lobby::MatchNews& news);
 void take(MatchView& view, const News& news);
 
 match::Stage stage_of(const MatchView& view);
+bool has_free_seat(const lobby::MatchInfo& info);
 /// There is nothing more to come: the match has finished, or is gone without having started.
 bool is_over(const MatchView& view);
 /// The match runs and asks something of the follower.

@@ -1,6 +1,5 @@
 #include "client_cli/online/player.hpp"
 
-#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -22,11 +21,6 @@ std::vector<lobby::MatchInfo> listed(Connection& connection, lobby::Filter filte
   if (const auto* refused = std::get_if<lobby::Refused>(&answer)) refuse(*refused);
   const auto* listing = std::get_if<lobby::Listing>(&answer);
   return listing == nullptr ? std::vector<lobby::MatchInfo>{} : listing->matches;
-}
-
-bool has_free_seat(const lobby::MatchInfo& info) {
-  return std::any_of(info.seats.begin(), info.seats.end(),
-                     [](const lobby::SeatInfo& seat) { return seat.name.empty(); });
 }
 
 bool suits(const lobby::MatchInfo& info, const lobby::Create& wish) {

@@ -1,9 +1,10 @@
 #include "client_cli/online/teller.hpp"
 
-#include <algorithm>
 #include <string>
 #include <variant>
 
+#include "client_cli/draw/abilities.hpp"
+#include "client_cli/paragraph.hpp"
 #include "client_cli/words.hpp"
 
 namespace breakshot::client {
@@ -72,12 +73,16 @@ std::vector<std::string> seat_changes(const std::vector<lobby::SeatInfo>& before
 void Teller::begin(const MatchView& view, const std::string& server) {
   if (json_) {
     say(json_of(view.info).text());
-  } else if (view.info.stage == match::Stage::gathering && view.you) {
+  } else if (view.info.stage == match::Stage::gathering && view.you && has_free_seat(view.info)) {
     say("Match " + words_of(view.info.id) + " is open. Others join with:");
     say("  " + join_line(view.info, server));
   }
   seats_ = view.info.seats;
   if (view.header) tell(view, lobby::MatchNews{view.info, view.you, view.header});
+  if (json_ || view.info.stage != match::Stage::running) return;
+  for (const lobby::SeatInfo& seat : seats_) {
+    if (is_taken(seat) && !seat.present) say(seat.name + " is away.");
+  }
 }
 
 void Teller::tell(const MatchView& view, const News& news) {
@@ -118,7 +123,15 @@ void Teller::tell(const MatchView& view, const lobby::MatchGone&) {
 }
 
 void Teller::say(const std::string& line) {
-  out_ << line << '\n' << std::flush;
+  if (!wraps_) {
+    out_ << line << '\n' << std::flush;
+    return;
+  }
+  const auto columns = static_cast<std::size_t>(terminal_size().columns);
+  // Below the sentences of the account, which stand beside the number of the shot.
+  const std::string indent(10, ' ');
+  for (const std::string& part : wrapped(line, columns, indent)) out_ << part << '\n';
+  out_.flush();
 }
 
 }  // namespace breakshot::client

@@ -17,7 +17,9 @@ Json json_of(const lobby::MatchInfo& info);
 
 class Teller {
  public:
-  Teller(std::ostream& out, bool json) : out_(out), json_(json) {}
+  /// `wraps`: `out` is the terminal, and what is told to people is broken between words.
+  Teller(std::ostream& out, bool json, bool wraps = false)
+      : out_(out), json_(json), wraps_(wraps && !json) {}
 
   /// What is known when one begins to follow; a join line for those who sit at an open match.
   void begin(const MatchView& view, const std::string& server);
@@ -31,6 +33,7 @@ class Teller {
 
   std::ostream& out_;
   bool json_;
+  bool wraps_;
   std::vector<lobby::SeatInfo> seats_;
   std::optional<Account> account_;
 };

