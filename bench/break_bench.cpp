@@ -17,8 +17,8 @@ physics::Shot break_of(const wire::Scenario& scenario, std::uint32_t number) {
 }
 
 /// Median and worst of a thousand seeds, in processor time.
-void eight_foot_break(benchmark::State& state) {
-  const wire::Scenario scenario = bench::scenario("break_8ft.json");
+void breaks(benchmark::State& state, const char* scene) {
+  const wire::Scenario scenario = bench::scenario(scene);
   std::vector<double> times;
   double events = 0;
   double total = 0;
@@ -37,7 +37,13 @@ void eight_foot_break(benchmark::State& state) {
   state.counters["events_a_shot"] = events / static_cast<double>(times.size());
   state.counters["event_us"] = 1e6 * total / events;
 }
-BENCHMARK(eight_foot_break)->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK_CAPTURE(breaks, straight, "break_8ft.json")
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(5);
+/// Spin, throw, cushions after Han, jaws: ten thousand breaks.
+BENCHMARK_CAPTURE(breaks, full_model, "break_8ft_full.json")
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(10);
 
 /// One question to detection: two paths, the present, and how long the answer matters.
 struct Query {

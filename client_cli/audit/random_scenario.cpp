@@ -1,7 +1,6 @@
 #include "client_cli/audit/random_scenario.hpp"
 
 #include <array>
-#include <cmath>
 #include <initializer_list>
 
 #include "common/physics/angle.hpp"
@@ -24,13 +23,13 @@ class Draws {
   double between(double low, double high) {
     return low + (high - low) * (static_cast<double>(next()) / 4294967296.0);
   }
-  /// Evenly among orders of magnitude.
+  /// In [low, 2 high), evenly among orders of magnitude.
   double scale(double low, double high) {
+    std::uint32_t doublings = 1;
+    for (double top = 2 * low; top < high; top *= 2) ++doublings;
     double value = low;
-    for (double left = between(0, std::log2(high / low)); left > 0; left -= 1) {
-      value *= left < 1 ? 1 + left : 2;
-    }
-    return value;
+    for (std::uint32_t left = below(doublings); left > 0; --left) value *= 2;
+    return value * between(1, 2);
   }
   double one_of(std::initializer_list<double> values) {
     return values.begin()[below(static_cast<std::uint32_t>(values.size()))];

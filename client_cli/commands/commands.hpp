@@ -5,6 +5,7 @@
 
 namespace breakshot::client {
 
+Command add_audit(CLI::App& program, const Globals& globals);
 Command add_bot(CLI::App& program, const Globals& globals);
 Command add_export(CLI::App& program, const Globals& globals);
 Command add_list(CLI::App& program, const Globals& globals);

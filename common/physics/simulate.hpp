@@ -13,7 +13,7 @@
 namespace breakshot::physics {
 
 /// Changes whenever the same input may give other bits. Records name it.
-inline constexpr std::uint32_t physics_version = 1;
+inline constexpr std::uint32_t physics_version = 2;
 
 /// Bounds of one simulation.
 struct Limits {

@@ -3,6 +3,7 @@
 #include <google/protobuf/util/json_util.h>
 
 #include <cctype>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -99,6 +100,30 @@ physics::Strike read_strike(const v1::ScenarioStrike& message, const Where& at) 
   return strike;
 }
 
+void write(physics::Vec2 v, v1::Vec2& message) {
+  message.set_x(v.x);
+  message.set_y(v.y);
+}
+
+void write(const physics::Ball& ball, v1::ScenarioBall& message) {
+  message.set_id(number(ball.id));
+  write(ball.position, *message.mutable_position());
+  write(ball.velocity, *message.mutable_velocity());
+  if (ball.spin == physics::Vec3{}) return;
+  message.mutable_spin()->set_x(ball.spin.x);
+  message.mutable_spin()->set_y(ball.spin.y);
+  message.mutable_spin()->set_z(ball.spin.z);
+}
+
+void write(const physics::Strike& strike, v1::ScenarioStrike& message) {
+  message.set_ball(number(strike.ball));
+  write(strike.direction, *message.mutable_direction());
+  message.set_speed(strike.speed_m_s);
+  if (strike.tip == physics::Tip{}) return;
+  message.mutable_tip()->set_side(strike.tip.side);
+  message.mutable_tip()->set_height(strike.tip.height);
+}
+
 void read_seed(const v1::Scenario& message, Scenario& scenario, const Where& at) {
   const auto& perturbation = scenario.scene.perturbation;
   if (message.has_seed()) {
@@ -171,6 +196,22 @@ std::variant<Scenario, std::vector<Fault>> read_scenario(std::string_view json) 
   std::vector<Fault> faults = faults_of(scenario);
   if (!faults.empty()) return faults;
   return scenario;
+}
+
+std::string text_of(const Scenario& scenario) {
+  v1::Scenario message;
+  write(scenario.scene, *message.mutable_scene());
+  for (const physics::Ball& ball : scenario.state.balls) write(ball, *message.add_balls());
+  if (scenario.strike) write(*scenario.strike, *message.mutable_strike());
+  message.set_seed(hash::hex_of(scenario.seed.seed));
+  if (scenario.limits.horizon_s) message.set_horizon(*scenario.limits.horizon_s);
+  message.set_max_events(scenario.limits.max_events);
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  std::string text;
+  const auto status = google::protobuf::util::MessageToJsonString(message, &text, options);
+  if (!status.ok()) throw std::logic_error("a scenario has no JSON: " + status.ToString());
+  return text;
 }
 
 }  // namespace breakshot::wire

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -22,5 +23,8 @@ struct Scenario {
 /// Reads and validates. Any text gives a scenario free of faults, or at least one fault whose field
 /// is the path in the file.
 std::variant<Scenario, std::vector<physics::Fault>> read_scenario(std::string_view json);
+
+/// The text of a scenario file, which reads back to the same scenario.
+std::string text_of(const Scenario& scenario);
 
 }  // namespace breakshot::wire
