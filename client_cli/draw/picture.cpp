@@ -44,6 +44,29 @@ Box bed_of(const physics::Scene& scene, const std::vector<physics::CushionSegmen
   return box.value_or(Box{-least, least});
 }
 
+/// Chords of an arc, so fine that it looks round. An arc runs counter-clockwise with the table
+/// outside; its chords run the other way, with the table to their left like that of any cushion.
+void add_chords(std::vector<physics::CushionSegment>& cushions, const physics::CushionArc& arc) {
+  constexpr int chords = 24;
+  const double begin = std::atan2(arc.from.y, arc.from.x);
+  const double turn = std::atan2(physics::cross(arc.from, arc.to), physics::dot(arc.from, arc.to));
+  const auto place = [&](int i) {
+    const double angle = begin + turn * i / chords;
+    return arc.centre + Vec2{std::cos(angle), std::sin(angle)} * arc.radius_m;
+  };
+  for (int i = 0; i < chords; ++i) cushions.push_back({place(i + 1), place(i), arc.model});
+}
+
+/// The noses as straight pieces: all that are drawn.
+std::vector<physics::CushionSegment> noses_of(const physics::Scene& scene) {
+  std::vector<physics::CushionSegment> cushions = physics::segments_of(scene);
+  if (!scene.cushions) return cushions;
+  if (const auto* free = std::get_if<physics::FreeCushions>(&*scene.cushions)) {
+    for (const physics::CushionArc& arc : free->arcs) add_chords(cushions, arc);
+  }
+  return cushions;
+}
+
 DrawnPocket corner_pocket(Vec2 corner, double mouth_m) {
   const Vec2 inward{corner.x > 0 ? -1.0 : 1.0, corner.y > 0 ? -1.0 : 1.0};
   const double reach = mouth_m * sqrt_half;
@@ -89,7 +112,7 @@ Vec2 nearest_hole(const Table& table, Vec2 position) {
 
 Table table_of(const physics::Scene& scene, const std::vector<physics::BallState>& balls) {
   Table table;
-  table.cushions = physics::segments_of(scene);
+  table.cushions = noses_of(scene);
   table.bed = bed_of(scene, table.cushions, balls);
   table.ball_radius_m = scene.ball.radius_m;
   table.has_rails =

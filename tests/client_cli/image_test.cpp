@@ -139,6 +139,21 @@ TEST(Image, AMirroredTableGivesTheMirroredPicture) {
   }
 }
 
+TEST(Picture, DrawsAnArcAsChordsWithTheTableToTheirLeft) {
+  physics::Scene scene;
+  physics::FreeCushions cushions;
+  cushions.arcs.push_back({{1, 2}, 0.5, {0, -1}, {1, 0}, physics::Mirror{}});
+  scene.cushions = cushions;
+  const Table table = table_of(scene);
+  ASSERT_GT(table.cushions.size(), 8u);
+  EXPECT_LT(physics::length(table.cushions.front().to - Vec2{1, 1.5}), 1e-12);
+  EXPECT_LT(physics::length(table.cushions.back().from - Vec2{1.5, 2}), 1e-12);
+  for (const auto& chord : table.cushions) {
+    const Vec2 along = chord.to - chord.from;
+    EXPECT_LT(physics::cross(along, Vec2{1, 2} - chord.from), 0) << "the centre is on the right";
+  }
+}
+
 TEST(Image, PathsAndVectorsAreSeenWhereTheyLie) {
   Picture picture = empty_picture();
   picture.balls = {ball_at(0, {0.3, 0.2}, {0, -2})};

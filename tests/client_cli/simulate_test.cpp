@@ -57,7 +57,7 @@ TEST(Simulate, PrintsEventsAndTheFinalStateInAFixedForm) {
 TEST(Simulate, PrintsSpinWhereBallsSpin) {
   const std::string spinning = R"({
     "scene": {"gravity": 9.81, "bed": {"motion": {"spinning":
-        {"slidingFriction": 0.2, "rollingFriction": 0.01, "spinFriction": 0.0127}}}},
+        {"slidingFriction": 0.2, "rollingFriction": 0.1, "spinFriction": 0.0127}}}},
     "balls": [{"id": 0, "position": {"x": 0, "y": 0}}],
     "strike": {"ball": 0, "direction": {"x": 1, "y": 0}, "speed": 0.5, "tip": {"side": 0.4}}
   })";
