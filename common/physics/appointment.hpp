@@ -17,6 +17,15 @@ struct Appointment {
   std::uint32_t with = 0;  ///< the nose, counting arcs after them, the hole or the other ball
 };
 
+/// Which of two next events of a ball holds: the earlier; at one instant, one that takes no other
+/// ball, and of two meetings the one with the lower ball. So an appointment does not depend on the
+/// order in which pairs are looked at.
+template <class Real>
+bool comes_first(const Appointment<Real>& a, const Appointment<Real>& b) {
+  if (a.time_s != b.time_s) return a.time_s < b.time_s;
+  return a.due == Due::ball && b.due == Due::ball && a.with < b.with;
+}
+
 /// Finds it. Most balls of a table with jaws never come near them: as long as a ball is between the
 /// lines of the noses, the six cushions are all there is.
 template <class Real>
