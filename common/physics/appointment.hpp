@@ -34,9 +34,10 @@ class OwnEvents {
   OwnEvents(const Laws<Real>& laws, Real top_speed)
       : laws_(laws), top_speed_(top_speed), main_noses_(laws.walls.empty() ? 0 : main_noses) {}
 
-  Appointment<Real> next(const Path<Real>& path) const {
-    Appointment<Real> first;
-    if (path.end_s < never<Real>) first = {path.end_s, Due::phase_end, 0};
+  /// The next such event of a path; if there is none before `until_s`, nothing at that time.
+  Appointment<Real> next(const Path<Real>& path, Real until_s = never<Real>) const {
+    Appointment<Real> first{until_s, Due::nothing, 0};
+    if (path.end_s < until_s) first = {path.end_s, Due::phase_end, 0};
     if (is_still(path.segment.phase)) return first;
     if (main_noses_ > 0 && laws_.is_inside(path.segment.position)) {
       Real leaves = first.time_s;

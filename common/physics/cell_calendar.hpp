@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "common/physics/appointment.hpp"
@@ -28,12 +29,12 @@ class CellCalendar {
         top_speed_(top_speed),
         own_events_(laws, top_speed),
         detector_(laws.diameter),
+        straight_(!laws.cloth.slows()),
         cells_(balls, laws.diameter),
         heap_(balls),
         paths_(balls),
         motions_(balls),
-        entries_(balls),
-        own_(balls) {}
+        entries_(balls) {}
 
   const Path<Real>& path(std::size_t ball) const { return paths_[ball]; }
   /// Faster than any ball can become, m/s.
@@ -46,9 +47,10 @@ class CellCalendar {
       const Real time_s = heap_.earliest();
       due_.clear();
       if (time_s > limit_s || time_s == never<Real>) return time_s;
-      if (is_internal(heap_.first())) {
+      const std::uint32_t first = heap_.first();
+      if (is_internal(first)) {
         now_s_ = time_s;
-        attend(heap_.first());
+        attend(first);
         continue;
       }
       // What is internal at the very instant comes first: it may bring more events to it.
@@ -58,7 +60,6 @@ class CellCalendar {
         due_.push_back(ball);
       });
       if (settled) {
-        std::sort(due_.begin(), due_.end());
         return time_s;
       }
       now_s_ = time_s;
@@ -87,20 +88,27 @@ class CellCalendar {
   /// `ball`.
   template <class OnNear>
   void each_near(std::uint32_t ball, Real reach, const OnNear& near) {
-    const Vec place = position_at(motions_[ball]);
-    near_.clear();
-    const auto look = [&](std::uint32_t other) {
-      const Vec d = position_at(motions_[other]) - place;
-      if (dot(d, d) - reach * reach <= 0 && other != ball) near_.push_back(other);
-    };
     if (reach < cells_.reach()) {
-      cells_.each_beside(ball, look);
+      cells_.find_beside(ball, found_);
     } else {
       // Only where rounding is greater than a ball.
-      for (std::uint32_t other = 0; other < paths_.size(); ++other) look(other);
+      std::uint32_t* const all = found_.begin_anew(paths_.size());
+      std::iota(all, all + paths_.size(), 0u);
+      found_.end_at(all + paths_.size());
     }
-    std::sort(near_.begin(), near_.end());
-    for (const std::uint32_t other : near_) near(other);
+    const Vec place = position_at(motions_[ball]);
+    std::uint32_t* end = likely_.begin_anew(found_.size());
+    std::uint32_t* const begin = end;
+    for (const std::uint32_t other : found_) {
+      const Vec d = position_at(motions_[other]) - place;
+      *end = other;
+      end += dot(d, d) <= reach * reach;
+    }
+    likely_.end_at(end);
+    if (end - begin > 2) std::sort(begin, end);
+    for (const std::uint32_t other : likely_) {
+      if (other != ball) near(other);
+    }
   }
 
   /// Gives a ball a new path, which starts at this instant. update() must follow before anything is
@@ -120,10 +128,7 @@ class CellCalendar {
 
   /// Predicts anew for the balls that changed at this instant.
   void update() {
-    for (const std::uint32_t ball : changed_) {
-      own_[ball] = own_events_.next(paths_[ball]);
-      forget(ball);
-    }
+    for (const std::uint32_t ball : changed_) forget(ball);
     if (laws_.ball_ball && built_) {
       changes_ += changed_.size();
       // Of two that have just met, the first has asked about the second.
@@ -138,7 +143,10 @@ class CellCalendar {
         schedule(ball);
       }
     } else {
-      for (const std::uint32_t ball : changed_) schedule(ball);
+      for (const std::uint32_t ball : changed_) {
+        foresee(ball, never<Real>);
+        schedule(ball);
+      }
       if (laws_.ball_ball) build(Real(0));
     }
     changed_.clear();
@@ -199,9 +207,20 @@ class CellCalendar {
   }
 
   void forget(std::uint32_t ball) {
-    motions_[ball].until_s = own_[ball].time_s;
-    entries_[ball].due = own_[ball].due;
-    entries_[ball].with = own_[ball].with;
+    motions_[ball].until_s = never<Real>;
+    entries_[ball].due = Due::nothing;
+  }
+
+  /// Takes down what comes to the ball alone, if that is not after `until_s`.
+  bool foresee(std::uint32_t ball, Real until_s) {
+    using Limits = std::numeric_limits<Real>;
+    const Real after = until_s * (1 + 2 * Limits::epsilon()) + Limits::min();
+    const Appointment<Real> own = own_events_.next(paths_[ball], after);
+    if (own.due == Due::nothing || own.time_s > until_s) return false;
+    motions_[ball].until_s = own.time_s;
+    entries_[ball].due = own.due;
+    entries_[ball].with = own.with;
+    return true;
   }
 
   void schedule(std::uint32_t ball) {
@@ -218,7 +237,8 @@ class CellCalendar {
       build(2 * cells_.side());
       return;
     }
-    meet(ball, none, [&](const auto& found) { cells_.each_ahead(ball, side, found); });
+    cells_.find_ahead(ball, side, found_);
+    agree_with_partners(ball, find_partners(ball, none));
     plan_crossing(ball);
     schedule(ball);
   }
@@ -248,36 +268,65 @@ class CellCalendar {
     }
   }
 
+  /// The next event of a ball of which nothing is known, or only its meeting with `met`.
   void meet_beside(std::uint32_t ball, std::uint32_t met) {
-    meet(ball, met, [&](const auto& found) { cells_.each_beside(ball, found); });
+    cells_.find_beside(ball, found_);
+    const Real first = find_partners(ball, met);
+    foresee(ball, first);
+    if (!(motions_[ball].until_s < first)) agree_with_partners(ball, first);
   }
 
-  /// Makes the earliest appointment of `ball` with those that `each(found)` calls found with. What
-  /// would come after another event of either need not be known: then they are asked again.
-  template <class Each>
-  void meet(std::uint32_t ball, std::uint32_t met, const Each& each) {
-    const Motion& own = motions_[ball];
-    const Vec p = position_at(own);
-    const Vec v = velocity_at(own);
-    const Vec a = own.acceleration;
-    const Real last = now_s_ + Real(longest_span_s<Real>);
-    Real first = own.until_s;
+  /// Sets `partners_` to those of found_ that `ball` meets first, and gives the time; or to nobody
+  /// if all that comes after another event of the ball. What would come after another event of
+  /// either need not be known: then they are asked again.
+  Real find_partners(std::uint32_t ball, std::uint32_t met) {
+    Real first = smaller(motions_[ball].until_s, paths_[ball].end_s);
     partners_.clear();
-    each([&](std::uint32_t other) {
-      const Motion& m = motions_[other];
-      const Real until = smaller(smaller(m.until_s, first), last);
-      const Real apart = detector_.separation(position_at(m) - p, velocity_at(m) - v,
-                                              m.acceleration - a, until - now_s_);
-      if (apart > 0 || other == ball || other == met) return;
+    screen(ball, first);
+    for (const std::uint32_t other : likely_) {
+      if (other == ball || other == met) continue;
       const Real t = detector_.time(paths_[std::min(ball, other)], paths_[std::max(ball, other)]);
-      if (t > first || t > m.until_s || t == never<Real>) return;
+      if (t > first || t > motions_[other].until_s || t == never<Real>) continue;
       if (t < first) partners_.clear();
       first = t;
       partners_.push_back(other);
-    });
+    }
+    return first;
+  }
+
+  /// Leaves in likely_ those of found_ that `ball` may meet before `until_s` and their own next
+  /// event: all that it does, and few others. Without branches in the loops.
+  void screen(std::uint32_t ball, Real until_s) {
+    const Motion& own = motions_[ball];
+    const Real last = smaller(until_s, now_s_ + Real(longest_span_s<Real>)) - now_s_;
+    const Vec p = position_at(own);
+    const Vec v = velocity_at(own);
+    std::uint32_t* end = likely_.begin_anew(found_.size());
+    if (straight_) {
+      for (const std::uint32_t other : found_) {
+        const Motion& m = motions_[other];
+        const Vec d = m.position + m.velocity * (now_s_ - m.start_s) - p;
+        const Real span = smaller(m.until_s - now_s_, last);
+        *end = other;
+        end += !(detector_.separation(d, m.velocity - v, span) > 0);
+      }
+    } else {
+      for (const std::uint32_t other : found_) {
+        const Motion& m = motions_[other];
+        const Vec d = position_at(m) - p;
+        const Real span = smaller(m.until_s - now_s_, last);
+        *end = other;
+        end += !(detector_.separation(d, velocity_at(m) - v, m.acceleration - own.acceleration,
+                                      span) > 0);
+      }
+    }
+    likely_.end_at(end);
+  }
+
+  void agree_with_partners(std::uint32_t ball, Real time_s) {
     for (const std::uint32_t other : partners_) {
-      agree(ball, first, other);
-      if (agree(other, first, ball)) schedule(other);
+      agree(ball, time_s, other);
+      if (agree(other, time_s, ball)) schedule(other);
     }
   }
 
@@ -297,12 +346,12 @@ class CellCalendar {
   Real top_speed_;
   OwnEvents<Real> own_events_;
   PairDetector<Real> detector_;
+  bool straight_;  ///< paths, one as fast as at its start
   Cells<Real> cells_;
   EventHeap<Real> heap_;
   std::vector<Path<Real>> paths_;
   std::vector<Motion> motions_;
   std::vector<Entry> entries_;
-  std::vector<Appointment<Real>> own_;  ///< the next event that takes no other ball
   Real now_s_{};
   bool built_ = false;
   std::size_t moving_ = 0;     ///< balls that change their place
@@ -310,8 +359,10 @@ class CellCalendar {
   std::size_t crossings_ = 0;  ///< since the cells were built
   std::size_t changes_ = 0;    ///< of paths, likewise
   std::vector<std::uint32_t> changed_;
-  std::vector<std::uint32_t> due_;       ///< at the earliest instant, ascending
-  std::vector<std::uint32_t> near_;      ///< kept for its memory alone, as is the next
+  std::vector<std::uint32_t> due_;  ///< at the earliest instant, ascending
+  // Kept for their memory alone.
+  Gathered found_;
+  Gathered likely_;
   std::vector<std::uint32_t> partners_;  ///< all that `ball` meets at one time
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,12 +24,31 @@ struct Crossing {
   Side side = Side::right;
 };
 
+/// A list of balls that is made anew again and again, without a branch for each.
+class Gathered {
+ public:
+  /// Empties the list and gives room for `most` balls.
+  std::uint32_t* begin_anew(std::size_t most) {
+    if (balls_.size() < most) balls_.resize(2 * most);
+    return balls_.data();
+  }
+  void end_at(const std::uint32_t* end) { end_ = end; }
+
+  const std::uint32_t* begin() const { return balls_.data(); }
+  const std::uint32_t* end() const { return end_; }
+  std::size_t size() const { return static_cast<std::size_t>(end() - begin()); }
+
+ private:
+  std::vector<std::uint32_t> balls_;
+  const std::uint32_t* end_ = nullptr;
+};
+
 template <class Real>
 class Cells {
  public:
   using Vec = BasicVec2<Real>;
 
-  Cells(std::size_t balls, Real diameter) : diameter_(diameter), at_(balls) {}
+  Cells(std::size_t balls, Real diameter) : diameter_(diameter), at_(balls), next_(balls, none) {}
 
   /// Cells that hold one or two balls each and are no smaller than `least_side`, with all balls
   /// where `position(ball)` is; those for which `present(ball)` is false are in none.
@@ -68,43 +88,33 @@ class Cells {
   Real reach() const { return side_ - 2 * slack_; }
 
   void remove(std::uint32_t ball) {
-    std::uint32_t* link = &heads_[at_[ball].slot];
-    while (*link != ball) link = &at_[*link].next;
-    *link = at_[ball].next;
+    Cell& cell = cells_[at_[ball].slot];
+    const std::uint32_t count = cell.count--;
+    if (cell.balls[0] != ball && cell.balls[1] != ball) {
+      std::uint32_t* link = &cell.balls[2];
+      while (*link != ball) link = &next_[*link];
+      *link = next_[ball];
+      return;
+    }
+    std::uint32_t& gap = cell.balls[0] == ball ? cell.balls[0] : cell.balls[1];
+    gap = count > 2 ? cell.balls[2] : cell.balls[1];
+    if (count > 3) cell.balls[2] = next_[cell.balls[2]];
   }
 
-  /// Calls `found(other)` for every ball in the cell of `ball` and those round it, itself among
-  /// them, and for some that are elsewhere.
-  template <class Found>
-  void each_beside(std::uint32_t ball, const Found& found) const {
-    const Place& at = at_[ball];
-    for (std::int64_t row = at.row - 1; row <= at.row + 1; ++row) {
-      for (std::int64_t column = at.column - 1; column <= at.column + 1; ++column) {
-        each_in(slot_of(column, row), found);
-      }
-    }
+  /// Sets `found` to all balls in the cell of `ball` and in those round it, itself among them, and
+  /// some that are elsewhere.
+  void find_beside(std::uint32_t ball, Gathered& found) const {
+    gather<3, 3>(at_[ball].column - 1, at_[ball].row - 1, found);
   }
 
   /// The same for the three cells that became neighbours when `ball` crossed over `side`.
-  template <class Found>
-  void each_ahead(std::uint32_t ball, Side side, const Found& found) const {
-    const Place& at = at_[ball];
-    for (std::int64_t k = -1; k <= 1; ++k) {
-      switch (side) {
-        case Side::right:
-          each_in(slot_of(at.column + 1, at.row + k), found);
-          break;
-        case Side::left:
-          each_in(slot_of(at.column - 1, at.row + k), found);
-          break;
-        case Side::up:
-          each_in(slot_of(at.column + k, at.row + 1), found);
-          break;
-        case Side::down:
-          each_in(slot_of(at.column + k, at.row - 1), found);
-          break;
-      }
-    }
+  void find_ahead(std::uint32_t ball, Side side, Gathered& found) const {
+    const std::int64_t column = at_[ball].column;
+    const std::int64_t row = at_[ball].row;
+    if (side == Side::right) gather<1, 3>(column + 1, row - 1, found);
+    if (side == Side::left) gather<1, 3>(column - 1, row - 1, found);
+    if (side == Side::up) gather<3, 1>(column - 1, row + 1, found);
+    if (side == Side::down) gather<3, 1>(column - 1, row - 1, found);
   }
 
   /// Moves a ball to the next cell.
@@ -141,7 +151,7 @@ class Cells {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   /// A side of 5/4 diameters, less what cells overlap, is more than a diameter.
   static constexpr double least_diameters = 1.25;
-  static constexpr double balls_a_cell = 1.5;
+  static constexpr double balls_a_cell = 0.7;
   /// Balls that share a cell with a ball, itself among them: evenly spread ones would be 2.5.
   static constexpr double most_crowded = 6;
   /// Coordinates up to so many sides are known to a small part of a side.
@@ -153,8 +163,56 @@ class Cells {
     std::int64_t column = 0;
     std::int64_t row = 0;
     std::uint32_t slot = 0;
-    std::uint32_t next = none;  ///< in the list of the slot
   };
+
+  /// The balls of a cell: two, and the first of a chain of the others. Hardly any cell has more
+  /// than three, so that they can be gathered without a branch.
+  struct Cell {
+    std::array<std::uint32_t, 3> balls{none, none, none};
+    std::uint32_t count = 0;
+  };
+
+  static constexpr std::size_t inlined = 3;
+
+  /// Sets `found` to the balls of a block of cells.
+  template <std::int64_t columns, std::int64_t rows>
+  void gather(std::int64_t column, std::int64_t row, Gathered& found) const {
+    std::uint32_t* end = found.begin_anew(columns * rows * inlined);
+    std::size_t most = 0;
+    for (std::int64_t r = 0; r < rows; ++r) {
+      const Cell* const cells = &cells_[slot_of(0, row + r)];
+      for (std::int64_t c = 0; c < columns; ++c) {
+        const Cell& cell = cells[static_cast<std::uint64_t>(column + c) & column_mask_];
+        for (std::size_t i = 0; i < inlined; ++i) end[i] = cell.balls[i];
+        end += std::min<std::size_t>(cell.count, inlined);
+        most = std::max<std::size_t>(most, cell.count);
+      }
+    }
+    found.end_at(end);
+    if (most > inlined) gather_chains<columns, rows>(column, row, found);
+  }
+
+  /// The same where a cell holds more balls than can be gathered so.
+  template <std::int64_t columns, std::int64_t rows>
+  void gather_chains(std::int64_t column, std::int64_t row, Gathered& found) const {
+    std::array<const Cell*, columns * rows> cells{};
+    std::size_t all = 0;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const auto c = static_cast<std::int64_t>(k) % columns;
+      const auto r = static_cast<std::int64_t>(k) / columns;
+      cells[k] = &cells_[slot_of(column + c, row + r)];
+      all += cells[k]->count;
+    }
+    std::uint32_t* end = found.begin_anew(all);
+    for (const Cell* cell : cells) {
+      std::uint32_t next = none;
+      for (std::size_t i = 0; i < cell->count; ++i) {
+        next = i < inlined ? cell->balls[i] : next_[next];
+        *end++ = next;
+      }
+    }
+    found.end_at(end);
+  }
 
   /// As many lists as cover the extent, in powers of two, but no more than eight a ball. Fewer than
   /// four a side would let a ball see itself twice.
@@ -167,7 +225,7 @@ class Cells {
     column_mask_ = columns - 1;
     row_mask_ = rows - 1;
     columns_ = columns;
-    heads_.assign(columns * rows, none);
+    cells_.assign(columns * rows, Cell{});
   }
 
   static std::uint64_t power_above(Real least, std::size_t count) {
@@ -191,23 +249,20 @@ class Cells {
   void link(std::uint32_t ball) {
     Place& at = at_[ball];
     at.slot = slot_of(at.column, at.row);
-    at.next = heads_[at.slot];
-    heads_[at.slot] = ball;
-  }
-
-  template <class Found>
-  void each_in(std::uint32_t slot, const Found& found) const {
-    for (std::uint32_t ball = heads_[slot]; ball != none; ball = at_[ball].next) found(ball);
+    Cell& cell = cells_[at.slot];
+    if (cell.count < 2) {
+      cell.balls[cell.count] = ball;
+    } else {
+      next_[ball] = cell.balls[2];
+      cell.balls[2] = ball;
+    }
+    ++cell.count;
   }
 
   /// For every ball the number of balls in its list, added up.
   Real crowd() const {
     Real sum = 0;
-    for (std::uint32_t slot = 0; slot < heads_.size(); ++slot) {
-      Real balls = 0;
-      each_in(slot, [&balls](std::uint32_t) { balls += 1; });
-      sum += balls * balls;
-    }
+    for (const Cell& cell : cells_) sum += Real(cell.count) * Real(cell.count);
     return sum;
   }
 
@@ -234,8 +289,9 @@ class Cells {
   std::uint64_t columns_ = 0;
   std::uint64_t column_mask_ = 0;
   std::uint64_t row_mask_ = 0;
-  std::vector<std::uint32_t> heads_;  ///< the first ball of each list
+  std::vector<Cell> cells_;
   std::vector<Place> at_;
+  std::vector<std::uint32_t> next_;  ///< in the chain of a cell
 };
 
 }  // namespace breakshot::physics
