@@ -285,21 +285,23 @@ class Loop {
   }
 
   void touch(std::uint32_t ball) {
-    if (std::find(touched_.begin(), touched_.end(), ball) == touched_.end()) {
-      touched_.push_back(ball);
-    }
+    if (bodies_[ball].touched == instant_) return;
+    bodies_[ball].touched = instant_;
+    touched_.push_back(ball);
   }
 
   /// Gives every ball of the instant its new path and puts events and segments in order.
   void end_instant() {
+    const std::size_t written = shot_.segments.size();
     for (const std::uint32_t ball : touched_) {
       const Path<Real> path = path_of(ball);
       calendar_.set(ball, path);
-      write(path.segment);
+      write(path.segment, written);
     }
     calendar_.update();
     std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_), shot_.events.end(),
               comes_before<Real>);
+    if (shot_.segments.size() == written) return;
     std::sort(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_),
               shot_.segments.end(), [](const auto& a, const auto& b) { return a.ball < b.ball; });
   }
@@ -311,24 +313,29 @@ class Loop {
       dropped.segment = {body.id, Phase::pocketed, now_s_, body.position, {}, {}, {}, {}};
       return dropped;
     }
-    for (const auto& [ended, path] : ended_) {
-      if (ended == ball && path.segment.velocity == body.velocity &&
-          path.segment.spin == body.spin) {
-        return path;
-      }
+    // They were taken up in ascending order.
+    const auto found = std::lower_bound(ended_.begin(), ended_.end(), ball,
+                                        [](const auto& e, std::uint32_t b) { return e.first < b; });
+    if (found != ended_.end() && found->first == ball &&
+        found->second.segment.velocity == body.velocity &&
+        found->second.segment.spin == body.spin) {
+      return found->second;
     }
     return laws_.cloth.path_from(body.id, now_s_, body.position, body.moving());
   }
 
   /// One segment a ball and instant: a second set at the same instant replaces those of the first.
-  void write(const BasicSegment<Real>& segment) {
-    for (std::size_t i = first_segment_; i < shot_.segments.size(); ++i) {
-      if (shot_.segments[i].ball == segment.ball) {
-        shot_.segments[i] = segment;
-        return;
-      }
+  /// Those of earlier sets are in order of their balls, up to `written`.
+  void write(const BasicSegment<Real>& segment, std::size_t written) {
+    const auto end = shot_.segments.begin() + static_cast<std::ptrdiff_t>(written);
+    const auto known =
+        std::lower_bound(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_), end,
+                         segment, [](const auto& a, const auto& b) { return a.ball < b.ball; });
+    if (known != end && known->ball == segment.ball) {
+      *known = segment;
+    } else {
+      shot_.segments.push_back(segment);
     }
-    shot_.segments.push_back(segment);
   }
 
   /// A ball that is at a pocket: it drops unless it turns back.
