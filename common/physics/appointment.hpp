@@ -17,6 +17,15 @@ struct Appointment {
   std::uint32_t with = 0;  ///< the nose, counting arcs after them, the hole or the other ball
 };
 
+/// Which of two next events of a ball holds: the earlier; at one instant, one that takes no other
+/// ball, and of two meetings the one with the lower ball. So an appointment does not depend on the
+/// order in which pairs are looked at.
+template <class Real>
+bool comes_first(const Appointment<Real>& a, const Appointment<Real>& b) {
+  if (a.time_s != b.time_s) return a.time_s < b.time_s;
+  return a.due == Due::ball && b.due == Due::ball && a.with < b.with;
+}
+
 /// Finds it. Most balls of a table with jaws never come near them: as long as a ball is between the
 /// lines of the noses, the six cushions are all there is.
 template <class Real>
@@ -25,9 +34,10 @@ class OwnEvents {
   OwnEvents(const Laws<Real>& laws, Real top_speed)
       : laws_(laws), top_speed_(top_speed), main_noses_(laws.walls.empty() ? 0 : main_noses) {}
 
-  Appointment<Real> next(const Path<Real>& path) const {
-    Appointment<Real> first;
-    if (path.end_s < never<Real>) first = {path.end_s, Due::phase_end, 0};
+  /// The next such event of a path; if there is none before `until_s`, nothing at that time.
+  Appointment<Real> next(const Path<Real>& path, Real until_s = never<Real>) const {
+    Appointment<Real> first{until_s, Due::nothing, 0};
+    if (path.end_s < until_s) first = {path.end_s, Due::phase_end, 0};
     if (is_still(path.segment.phase)) return first;
     if (main_noses_ > 0 && laws_.is_inside(path.segment.position)) {
       Real leaves = first.time_s;

@@ -29,8 +29,9 @@ class TableCalendar {
   /// Faster than any ball can become, m/s.
   Real top_speed() const { return top_speed_; }
 
-  /// The earliest event of all, or never.
-  Real earliest() const { return field_.earliest(); }
+  /// The time of the earliest event of all, or never. Whether that is by `limit_s` makes no
+  /// difference here.
+  Real earliest(Real /*limit_s*/) const { return field_.earliest(); }
 
   /// Whether any ball moves, or spins in place.
   bool moving() const { return moving_ + spinning_ > 0; }
@@ -38,14 +39,15 @@ class TableCalendar {
   /// Goes on to `time_s`. All that is asked from now on is asked of that instant.
   void move_to(Real time_s) { field_.move_to(time_s); }
 
-  /// Calls `due(ball, appointment)` for every ball whose next event is at `time_s`.
+  /// Calls `due(ball, appointment)` for every ball, ascending, whose next event is at `time_s`.
   template <class OnDue>
   void each_due(Real time_s, const OnDue& due) const {
     field_.each_due(time_s,
                     [&](std::size_t ball) { due(static_cast<std::uint32_t>(ball), next_[ball]); });
   }
 
-  /// Calls `near(other)` for every other ball whose centre is within `reach` of that of `ball`.
+  /// Calls `near(other)` for every other ball, ascending, whose centre is within `reach` of that of
+  /// `ball`.
   template <class OnNear>
   void each_near(std::uint32_t ball, Real reach, const OnNear& near) {
     field_.each_within(ball, reach,
@@ -111,9 +113,14 @@ class TableCalendar {
       if (fresh_[j] == Freshness::met || phase == Phase::pocketed) return;
       if (still && is_still(phase)) return;
       const Real t = field_.detector().time(paths_[std::min(i, j)], paths_[std::max(i, j)]);
-      if (t < field_.until(i)) meet_first(i, {t, Due::ball, j});
-      if (t < field_.until(j)) meet_first(j, {t, Due::ball, i});
+      if (t == never<Real>) return;
+      agree(i, {t, Due::ball, j});
+      agree(j, {t, Due::ball, i});
     });
+  }
+
+  void agree(std::uint32_t ball, const Appointment<Real>& meeting) {
+    if (comes_first(meeting, next_[ball])) meet_first(ball, meeting);
   }
 
   enum class Freshness : std::uint8_t { known, changed, met };

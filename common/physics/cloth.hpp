@@ -50,6 +50,9 @@ class Cloth {
     }
   }
 
+  /// Whether balls accelerate between events.
+  bool slows() const { return friction_; }
+
   /// Whether balls have spin.
   bool spins() const { return spins_; }
 

@@ -136,10 +136,13 @@ Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter) {
   const Real distance = length(relative.position);
   const Real coordinate =
       larger(diameter, larger(largest_coordinate(e.first), largest_coordinate(e.second)));
+  const Real gap = distance - diameter;
+  const Real speeds = magnitude(relative.velocity.x) + magnitude(relative.velocity.y);
   const bool one_stays = is_still(a.segment.phase) || is_still(b.segment.phase);
   const bool slowing = one_stays && !a.curved && !b.curved;
   const bool straight = slowing || relative.acceleration == BasicVec2<Real>{};
-  if (distance - diameter <= touch_gap(coordinate, length(relative.velocity), e.start_s)) {
+  if (gap <= touch_gap_bound(coordinate, speeds, e.start_s) &&
+      gap <= touch_gap(coordinate, length(relative.velocity), e.start_s)) {
     const Real approach = -dot(relative.position, relative.velocity);
     const Real unresolved = unresolved_speed(a.speed + b.speed) * distance;
     if (approach > unresolved) return e.start_s;
@@ -177,13 +180,13 @@ Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, R
                   Real until_s) {
   using std::sqrt;
   const BasicSegment<Real>& s = path.segment;
-  const BasicVec2<Real> offset = s.position - nose.from;
-  const Real gap = dot(offset, nose.inward) - radius;
   const Real towards = -dot(s.velocity, nose.inward);
   const Real pull = -dot(s.acceleration, nose.inward);
+  if (towards <= 0 && pull <= 0) return never<Real>;
+  const BasicVec2<Real> offset = s.position - nose.from;
+  const Real gap = dot(offset, nose.inward) - radius;
   // What slows down covers no more than its first speed does; a thousandth is for rounding.
   if (pull <= 0 && Real(1.001) * towards * (until_s - s.start_s) < gap) return never<Real>;
-  if (towards <= 0 && pull <= 0) return never<Real>;
   const auto within = [&](Real t) {
     const Real foot =
         dot(s.position + (s.velocity + s.acceleration * (t / 2)) * t - nose.from, nose.along);

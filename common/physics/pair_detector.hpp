@@ -34,6 +34,18 @@ class PairDetector {
     return larger(ahead, aside);
   }
 
+  /// The same where neither ball accelerates. Those that do not approach never meet, even if they
+  /// touch.
+  Real separation(BasicVec2<Real> d, BasicVec2<Real> w, Real span) const {
+    const Real square = dot(d, d);
+    const Real approach = dot(d, w);
+    const Real left = larger(square + approach * span, Real(0));
+    const Real ahead = left * left - reach_square_ * square;
+    const Real miss = cross(d, w);
+    const Real aside = miss * miss - reach_square_ * dot(w, w);
+    return larger(approach, larger(ahead, aside));
+  }
+
   Real time(const Path<Real>& a, const Path<Real>& b) const {
     return contact_time(a, b, diameter_);
   }

@@ -4,6 +4,8 @@
 
 namespace breakshot::physics {
 
+template class Loop<double, TableCalendar>;
+template class Loop<double, CellCalendar>;
 template class BasicSimulation<double>;
 
 std::variant<Shot, Stalled> simulate(const Scene& scene, const State& state,

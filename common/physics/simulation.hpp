@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/physics/calendar.hpp"
+#include "common/physics/cell_calendar.hpp"
 #include "common/physics/event.hpp"
 #include "common/physics/resolve.hpp"
 #include "common/physics/simulate.hpp"
@@ -18,14 +19,17 @@ namespace breakshot::physics {
 /// neither part nor let time pass.
 inline constexpr std::uint32_t max_sets_at_an_instant = 1'000;
 
+/// Up to this many balls the table calendar is the faster one. The outcome has the same bits.
+inline constexpr std::size_t most_balls_at_a_table = 64;
+
 enum class Progress : std::uint8_t { paused, finished, stalled };
 
-template <class Real>
-class BasicSimulation {
+/// The loop with one of the calendars; BasicSimulation chooses it.
+template <class Real, template <class> class Calendar>
+class Loop {
  public:
-  /// The input must be free of faults. A strike sets its ball in motion at time 0.
-  BasicSimulation(const Scene& scene, const State& state, const std::optional<Strike>& strike,
-                  const ShotSeed& seed, const Limits& limits)
+  Loop(const Scene& scene, const State& state, const std::optional<Strike>& strike,
+       const ShotSeed& seed, const Limits& limits)
       : laws_(scene),
         limits_(limits),
         calendar_(laws_, top_speed_of(state, strike), state.balls.size()),
@@ -33,15 +37,13 @@ class BasicSimulation {
     place(state, strike);
   }
 
-  BasicSimulation(const BasicSimulation&) = delete;
-  BasicSimulation& operator=(const BasicSimulation&) = delete;
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
 
-  /// Processes all events up to and including `time_s`, an absolute time; earlier ones than the
-  /// last change nothing.
   Progress advance_to(Real time_s) {
     const Real horizon = limits_.horizon_s ? Real(*limits_.horizon_s) : never<Real>;
     while (progress_ == Progress::paused) {
-      const Real next = calendar_.earliest();
+      const Real next = calendar_.earliest(smaller(time_s, horizon));
       if (next > horizon || next == never<Real>) {
         if (time_s < horizon && (calendar_.moving() || next < never<Real>)) return progress_;
         finish(horizon);
@@ -56,18 +58,8 @@ class BasicSimulation {
     return progress_;
   }
 
-  /// What has happened so far; complete once finished.
   const BasicShot<Real>& shot() const { return shot_; }
 
-  /// What has happened up to `time_s`, to which the simulation has advanced.
-  BasicShot<Real> shot_until(Real time_s) const {
-    BasicShot<Real> shot = shot_;
-    shot.stop = Stop::horizon;
-    shot.end_s = time_s;
-    return shot;
-  }
-
-  /// The outcome of a finished or stalled simulation, which is used up.
   std::variant<BasicShot<Real>, BasicStalled<Real>> take() && {
     if (progress_ != Progress::stalled) return std::move(shot_);
     std::sort(stalled_.begin(), stalled_.end());
@@ -293,21 +285,23 @@ class BasicSimulation {
   }
 
   void touch(std::uint32_t ball) {
-    if (std::find(touched_.begin(), touched_.end(), ball) == touched_.end()) {
-      touched_.push_back(ball);
-    }
+    if (bodies_[ball].touched == instant_) return;
+    bodies_[ball].touched = instant_;
+    touched_.push_back(ball);
   }
 
   /// Gives every ball of the instant its new path and puts events and segments in order.
   void end_instant() {
+    const std::size_t written = shot_.segments.size();
     for (const std::uint32_t ball : touched_) {
       const Path<Real> path = path_of(ball);
       calendar_.set(ball, path);
-      write(path.segment);
+      write(path.segment, written);
     }
     calendar_.update();
     std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_), shot_.events.end(),
               comes_before<Real>);
+    if (shot_.segments.size() == written) return;
     std::sort(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_),
               shot_.segments.end(), [](const auto& a, const auto& b) { return a.ball < b.ball; });
   }
@@ -319,24 +313,29 @@ class BasicSimulation {
       dropped.segment = {body.id, Phase::pocketed, now_s_, body.position, {}, {}, {}, {}};
       return dropped;
     }
-    for (const auto& [ended, path] : ended_) {
-      if (ended == ball && path.segment.velocity == body.velocity &&
-          path.segment.spin == body.spin) {
-        return path;
-      }
+    // They were taken up in ascending order.
+    const auto found = std::lower_bound(ended_.begin(), ended_.end(), ball,
+                                        [](const auto& e, std::uint32_t b) { return e.first < b; });
+    if (found != ended_.end() && found->first == ball &&
+        found->second.segment.velocity == body.velocity &&
+        found->second.segment.spin == body.spin) {
+      return found->second;
     }
     return laws_.cloth.path_from(body.id, now_s_, body.position, body.moving());
   }
 
   /// One segment a ball and instant: a second set at the same instant replaces those of the first.
-  void write(const BasicSegment<Real>& segment) {
-    for (std::size_t i = first_segment_; i < shot_.segments.size(); ++i) {
-      if (shot_.segments[i].ball == segment.ball) {
-        shot_.segments[i] = segment;
-        return;
-      }
+  /// Those of earlier sets are in order of their balls, up to `written`.
+  void write(const BasicSegment<Real>& segment, std::size_t written) {
+    const auto end = shot_.segments.begin() + static_cast<std::ptrdiff_t>(written);
+    const auto known =
+        std::lower_bound(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_), end,
+                         segment, [](const auto& a, const auto& b) { return a.ball < b.ball; });
+    if (known != end && known->ball == segment.ball) {
+      *known = segment;
+    } else {
+      shot_.segments.push_back(segment);
     }
-    shot_.segments.push_back(segment);
   }
 
   /// A ball that is at a pocket: it drops unless it turns back.
@@ -348,7 +347,7 @@ class BasicSimulation {
 
   Laws<Real> laws_;
   Limits limits_;
-  TableCalendar<Real> calendar_;
+  Calendar<Real> calendar_;
   ContactSet<Real> contacts_;
   std::vector<Body<Real>> bodies_;
   BasicShot<Real> shot_;
@@ -367,7 +366,58 @@ class BasicSimulation {
   std::vector<BallId> stalled_;
 };
 
+template <class Real>
+class BasicSimulation {
+ public:
+  /// The input must be free of faults. A strike sets its ball in motion at time 0.
+  BasicSimulation(const Scene& scene, const State& state, const std::optional<Strike>& strike,
+                  const ShotSeed& seed, const Limits& limits)
+      : loop_(loop_for(scene, state, strike, seed, limits)) {}
+
+  /// Processes all events up to and including `time_s`, an absolute time; earlier ones than the
+  /// last change nothing.
+  Progress advance_to(Real time_s) {
+    return std::visit([time_s](auto& loop) { return loop.advance_to(time_s); }, loop_);
+  }
+
+  /// What has happened so far; complete once finished.
+  const BasicShot<Real>& shot() const {
+    return std::visit([](const auto& loop) -> const BasicShot<Real>& { return loop.shot(); },
+                      loop_);
+  }
+
+  /// What has happened up to `time_s`, to which the simulation has advanced.
+  BasicShot<Real> shot_until(Real time_s) const {
+    BasicShot<Real> shot = this->shot();
+    shot.stop = Stop::horizon;
+    shot.end_s = time_s;
+    return shot;
+  }
+
+  /// The outcome of a finished or stalled simulation, which is used up.
+  std::variant<BasicShot<Real>, BasicStalled<Real>> take() && {
+    return std::visit([](auto& loop) { return std::move(loop).take(); }, loop_);
+  }
+
+ private:
+  using Table = Loop<Real, TableCalendar>;
+  using Cellular = Loop<Real, CellCalendar>;
+  using Either = std::variant<Table, Cellular>;
+
+  template <class... Input>
+  static Either loop_for(const Scene& scene, const State& state, const Input&... input) {
+    if (state.balls.size() <= most_balls_at_a_table) {
+      return Either(std::in_place_type<Table>, scene, state, input...);
+    }
+    return Either(std::in_place_type<Cellular>, scene, state, input...);
+  }
+
+  Either loop_;
+};
+
 using Simulation = BasicSimulation<double>;
+extern template class Loop<double, TableCalendar>;
+extern template class Loop<double, CellCalendar>;
 extern template class BasicSimulation<double>;
 
 }  // namespace breakshot::physics

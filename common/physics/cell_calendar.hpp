@@ -1,0 +1,369 @@
+// The cell calendar, for many balls: the next appointment of every ball in a heap, and cells of
+// which only the neighbours are looked at. What an event costs does not grow with the number of
+// balls, but for the height of the heap. (One event a ball, and stale ones known by a counter:
+// Bannerman, Sargant and Lue 2011, "DynamO".) Two kinds of appointment are its own affair and are
+// seen by nobody: a ball leaves its cell, and a ball finds that the one that it was to meet has
+// been diverted.
+//
+// It finds the same events as the table calendar, bit for bit: when two balls meet is a function of
+// their paths alone, whenever it is asked; a pair that is not asked about is too far apart to meet
+// before one of the two is looked at again.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "common/physics/appointment.hpp"
+#include "common/physics/cells.hpp"
+#include "common/physics/event_heap.hpp"
+
+namespace breakshot::physics {
+
+template <class Real>
+class CellCalendar {
+ public:
+  CellCalendar(const Laws<Real>& laws, Real top_speed, std::size_t balls)
+      : laws_(laws),
+        top_speed_(top_speed),
+        own_events_(laws, top_speed),
+        detector_(laws.diameter),
+        straight_(!laws.cloth.slows()),
+        cells_(balls, laws.diameter),
+        heap_(balls),
+        paths_(balls),
+        motions_(balls),
+        entries_(balls) {}
+
+  const Path<Real>& path(std::size_t ball) const { return paths_[ball]; }
+  /// Faster than any ball can become, m/s.
+  Real top_speed() const { return top_speed_; }
+
+  /// The time of the earliest event of all; if that is not by `limit_s`, some time after `limit_s`
+  /// at which there is none yet, or never.
+  Real earliest(Real limit_s) {
+    for (;;) {
+      const Real time_s = heap_.earliest();
+      due_.clear();
+      if (time_s > limit_s || time_s == never<Real>) return time_s;
+      const std::uint32_t first = heap_.first();
+      if (is_internal(first)) {
+        now_s_ = time_s;
+        attend(first);
+        continue;
+      }
+      // What is internal at the very instant comes first: it may bring more events to it.
+      bool settled = true;
+      heap_.each_earliest([&](std::uint32_t ball) {
+        settled = settled && !is_internal(ball);
+        due_.push_back(ball);
+      });
+      if (settled) {
+        return time_s;
+      }
+      now_s_ = time_s;
+      for (const std::uint32_t ball : due_) {
+        if (heap_.time_of(ball) == time_s && is_internal(ball)) attend(ball);
+      }
+    }
+  }
+
+  /// Whether any ball moves, or spins in place.
+  bool moving() const { return moving_ + spinning_ > 0; }
+
+  /// Goes on to `time_s`. All that is asked from now on is asked of that instant.
+  void move_to(Real time_s) { now_s_ = time_s; }
+
+  /// Calls `due(ball, appointment)` for every ball, ascending, whose next event is at `time_s`, the
+  /// time that earliest() has just given.
+  template <class OnDue>
+  void each_due(Real time_s, const OnDue& due) const {
+    for (const std::uint32_t ball : due_) {
+      due(ball, Appointment<Real>{time_s, entries_[ball].due, entries_[ball].with});
+    }
+  }
+
+  /// Calls `near(other)` for every other ball, ascending, whose centre is within `reach` of that of
+  /// `ball`.
+  template <class OnNear>
+  void each_near(std::uint32_t ball, Real reach, const OnNear& near) {
+    if (reach < cells_.reach()) {
+      cells_.find_beside(ball, found_);
+    } else {
+      // Only where rounding is greater than a ball.
+      std::uint32_t* const all = found_.begin_anew(paths_.size());
+      std::iota(all, all + paths_.size(), 0u);
+      found_.end_at(all + paths_.size());
+    }
+    const Vec place = position_at(motions_[ball]);
+    std::uint32_t* end = likely_.begin_anew(found_.size());
+    std::uint32_t* const begin = end;
+    for (const std::uint32_t other : found_) {
+      const Vec d = position_at(motions_[other]) - place;
+      *end = other;
+      end += dot(d, d) <= reach * reach;
+    }
+    likely_.end_at(end);
+    if (end - begin > 2) std::sort(begin, end);
+    for (const std::uint32_t other : likely_) {
+      if (other != ball) near(other);
+    }
+  }
+
+  /// Gives a ball a new path, which starts at this instant. update() must follow before anything is
+  /// asked again.
+  void set(std::uint32_t ball, const Path<Real>& path) {
+    const Phase before = paths_[ball].segment.phase;
+    const Phase after = path.segment.phase;
+    moving_ = moving_ + !is_still(after) - !is_still(before);
+    spinning_ = spinning_ + (after == Phase::spin) - (before == Phase::spin);
+    if (built_ && after == Phase::pocketed && before != Phase::pocketed) cells_.remove(ball);
+    paths_[ball] = path;
+    const BasicSegment<Real>& s = path.segment;
+    motions_[ball] = {s.start_s, s.position, s.velocity, s.acceleration, never<Real>};
+    ++entries_[ball].paths;
+    changed_.push_back(ball);
+  }
+
+  /// Predicts anew for the balls that changed at this instant.
+  void update() {
+    for (const std::uint32_t ball : changed_) forget(ball);
+    if (laws_.ball_ball && built_) {
+      changes_ += changed_.size();
+      // Of two that have just met, the first has asked about the second.
+      const std::uint32_t met = changed_.size() == 2 ? changed_.front() : none;
+      for (const std::uint32_t ball : changed_) {
+        if (paths_[ball].segment.phase != Phase::pocketed) {
+          meet_beside(ball, met);
+          plan_crossing(ball);
+        } else {
+          entries_[ball].crossing_s = never<Real>;
+        }
+        schedule(ball);
+      }
+    } else {
+      for (const std::uint32_t ball : changed_) {
+        foresee(ball, never<Real>);
+        schedule(ball);
+      }
+      if (laws_.ball_ball) build(Real(0));
+    }
+    changed_.clear();
+  }
+
+ private:
+  using Vec = BasicVec2<Real>;
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  /// With so many crossings for every change of a path and every ball, the cells are too small.
+  static constexpr std::size_t crossings_a_change = 16;
+
+  /// What is looked at of a ball whenever a neighbour asks: one cache line.
+  struct alignas(8 * sizeof(Real)) Motion {
+    Real start_s{};
+    Vec position;
+    Vec velocity;
+    Vec acceleration;
+    Real until_s = never<Real>;  ///< of the ball's next event, as far as is known
+  };
+
+  /// The next event of a ball, at motions_[ball].until_s, and the next crossing.
+  struct Entry {
+    Real crossing_s = never<Real>;
+    std::uint32_t with = 0;
+    std::uint32_t paths_of_other = 0;  ///< of `with`, when the appointment was made
+    std::uint32_t paths = 0;           ///< how many the ball has had
+    Due due = Due::nothing;
+    Side side = Side::right;
+  };
+
+  Vec position_at(const Motion& m) const {
+    const Real dt = now_s_ - m.start_s;
+    return {m.position.x + (m.velocity.x + m.acceleration.x * (dt / 2)) * dt,
+            m.position.y + (m.velocity.y + m.acceleration.y * (dt / 2)) * dt};
+  }
+  Vec velocity_at(const Motion& m) const {
+    const Real dt = now_s_ - m.start_s;
+    return {m.velocity.x + m.acceleration.x * dt, m.velocity.y + m.acceleration.y * dt};
+  }
+
+  bool crosses(std::uint32_t ball) const {
+    return entries_[ball].crossing_s <= motions_[ball].until_s;
+  }
+  bool is_internal(std::uint32_t ball) const {
+    const Entry& entry = entries_[ball];
+    return crosses(ball) ||
+           (entry.due == Due::ball && entries_[entry.with].paths != entry.paths_of_other);
+  }
+
+  void attend(std::uint32_t ball) {
+    if (crosses(ball)) {
+      cross(ball);
+    } else {
+      forget(ball);
+      meet_beside(ball, none);
+      schedule(ball);
+    }
+  }
+
+  void forget(std::uint32_t ball) {
+    motions_[ball].until_s = never<Real>;
+    entries_[ball].due = Due::nothing;
+  }
+
+  /// Takes down what comes to the ball alone, if that is not after `until_s`.
+  bool foresee(std::uint32_t ball, Real until_s) {
+    using Limits = std::numeric_limits<Real>;
+    const Real after = until_s * (1 + 2 * Limits::epsilon()) + Limits::min();
+    const Appointment<Real> own = own_events_.next(paths_[ball], after);
+    if (own.due == Due::nothing || own.time_s > until_s) return false;
+    motions_[ball].until_s = own.time_s;
+    entries_[ball].due = own.due;
+    entries_[ball].with = own.with;
+    return true;
+  }
+
+  void schedule(std::uint32_t ball) {
+    heap_.set(ball, smaller(motions_[ball].until_s, entries_[ball].crossing_s));
+  }
+
+  void cross(std::uint32_t ball) {
+    const Side side = entries_[ball].side;
+    cells_.cross(ball, side);
+    ++crossings_;
+    const Real doubt = 8 * std::numeric_limits<Real>::epsilon() * now_s_ * top_speed_;
+    if (crossings_ > crossings_a_change * (paths_.size() + changes_) ||
+        !cells_.resolves(position_at(motions_[ball]), doubt)) {
+      build(2 * cells_.side());
+      return;
+    }
+    cells_.find_ahead(ball, side, found_);
+    agree_with_partners(ball, find_partners(ball, none));
+    plan_crossing(ball);
+    schedule(ball);
+  }
+
+  void plan_crossing(std::uint32_t ball) {
+    const Motion& m = motions_[ball];
+    const Crossing<Real> next =
+        cells_.crossing(ball, position_at(m), velocity_at(m), m.acceleration);
+    entries_[ball].crossing_s = now_s_ + next.after_s;
+    entries_[ball].side = next.side;
+  }
+
+  /// Cells round the balls where they are now; appointments stay.
+  void build(Real least_side) {
+    built_ = true;
+    crossings_ = changes_ = 0;
+    const auto present = [this](std::uint32_t ball) {
+      return paths_[ball].segment.phase != Phase::pocketed;
+    };
+    cells_.build(least_side, present,
+                 [this](std::uint32_t ball) { return position_at(motions_[ball]); });
+    for (std::uint32_t ball = 0; ball < paths_.size(); ++ball) {
+      if (!present(ball)) continue;
+      meet_beside(ball, none);
+      plan_crossing(ball);
+      schedule(ball);
+    }
+  }
+
+  /// The next event of a ball of which nothing is known, or only its meeting with `met`.
+  void meet_beside(std::uint32_t ball, std::uint32_t met) {
+    cells_.find_beside(ball, found_);
+    const Real first = find_partners(ball, met);
+    foresee(ball, first);
+    if (!(motions_[ball].until_s < first)) agree_with_partners(ball, first);
+  }
+
+  /// Sets `partners_` to those of found_ that `ball` meets first, and gives the time; or to nobody
+  /// if all that comes after another event of the ball. What would come after another event of
+  /// either need not be known: then they are asked again.
+  Real find_partners(std::uint32_t ball, std::uint32_t met) {
+    Real first = smaller(motions_[ball].until_s, paths_[ball].end_s);
+    partners_.clear();
+    screen(ball, first);
+    for (const std::uint32_t other : likely_) {
+      if (other == ball || other == met) continue;
+      const Real t = detector_.time(paths_[std::min(ball, other)], paths_[std::max(ball, other)]);
+      if (t > first || t > motions_[other].until_s || t == never<Real>) continue;
+      if (t < first) partners_.clear();
+      first = t;
+      partners_.push_back(other);
+    }
+    return first;
+  }
+
+  /// Leaves in likely_ those of found_ that `ball` may meet before `until_s` and their own next
+  /// event: all that it does, and few others. Without branches in the loops.
+  void screen(std::uint32_t ball, Real until_s) {
+    const Motion& own = motions_[ball];
+    const Real last = smaller(until_s, now_s_ + Real(longest_span_s<Real>)) - now_s_;
+    const Vec p = position_at(own);
+    const Vec v = velocity_at(own);
+    std::uint32_t* end = likely_.begin_anew(found_.size());
+    if (straight_) {
+      for (const std::uint32_t other : found_) {
+        const Motion& m = motions_[other];
+        const Vec d = m.position + m.velocity * (now_s_ - m.start_s) - p;
+        const Real span = smaller(m.until_s - now_s_, last);
+        *end = other;
+        end += !(detector_.separation(d, m.velocity - v, span) > 0);
+      }
+    } else {
+      for (const std::uint32_t other : found_) {
+        const Motion& m = motions_[other];
+        const Vec d = position_at(m) - p;
+        const Real span = smaller(m.until_s - now_s_, last);
+        *end = other;
+        end += !(detector_.separation(d, velocity_at(m) - v, m.acceleration - own.acceleration,
+                                      span) > 0);
+      }
+    }
+    likely_.end_at(end);
+  }
+
+  void agree_with_partners(std::uint32_t ball, Real time_s) {
+    for (const std::uint32_t other : partners_) {
+      agree(ball, time_s, other);
+      if (agree(other, time_s, ball)) schedule(other);
+    }
+  }
+
+  /// Takes an appointment with `other` down if it is the next event of `ball`.
+  bool agree(std::uint32_t ball, Real time_s, std::uint32_t other) {
+    Entry& entry = entries_[ball];
+    const Appointment<Real> known{motions_[ball].until_s, entry.due, entry.with};
+    if (!comes_first(Appointment<Real>{time_s, Due::ball, other}, known)) return false;
+    motions_[ball].until_s = time_s;
+    entry.due = Due::ball;
+    entry.with = other;
+    entry.paths_of_other = entries_[other].paths;
+    return true;
+  }
+
+  const Laws<Real>& laws_;
+  Real top_speed_;
+  OwnEvents<Real> own_events_;
+  PairDetector<Real> detector_;
+  bool straight_;  ///< paths, one as fast as at its start
+  Cells<Real> cells_;
+  EventHeap<Real> heap_;
+  std::vector<Path<Real>> paths_;
+  std::vector<Motion> motions_;
+  std::vector<Entry> entries_;
+  Real now_s_{};
+  bool built_ = false;
+  std::size_t moving_ = 0;     ///< balls that change their place
+  std::size_t spinning_ = 0;   ///< balls that spin in place
+  std::size_t crossings_ = 0;  ///< since the cells were built
+  std::size_t changes_ = 0;    ///< of paths, likewise
+  std::vector<std::uint32_t> changed_;
+  std::vector<std::uint32_t> due_;  ///< at the earliest instant, ascending
+  // Kept for their memory alone.
+  Gathered found_;
+  Gathered likely_;
+  std::vector<std::uint32_t> partners_;  ///< all that `ball` meets at one time
+};
+
+}  // namespace breakshot::physics

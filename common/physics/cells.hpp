@@ -1,0 +1,297 @@
+// The plane in square cells, and the balls that are in each. The plane has no border: cells far
+// apart share one list, as if it were wound round a torus, so that memory goes with the number of
+// balls, not with the area that they fly over.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "common/physics/detect.hpp"
+
+namespace breakshot::physics {
+
+/// Where a ball leaves its cell, and in how long.
+enum class Side : std::uint8_t { right, left, up, down };
+
+template <class Real>
+struct Crossing {
+  Real after_s = never<Real>;
+  Side side = Side::right;
+};
+
+/// A list of balls that is made anew again and again, without a branch for each.
+class Gathered {
+ public:
+  /// Empties the list and gives room for `most` balls.
+  std::uint32_t* begin_anew(std::size_t most) {
+    if (balls_.size() < most) balls_.resize(2 * most);
+    return balls_.data();
+  }
+  void end_at(const std::uint32_t* end) { end_ = end; }
+
+  const std::uint32_t* begin() const { return balls_.data(); }
+  const std::uint32_t* end() const { return end_; }
+  std::size_t size() const { return static_cast<std::size_t>(end() - begin()); }
+
+ private:
+  std::vector<std::uint32_t> balls_;
+  const std::uint32_t* end_ = nullptr;
+};
+
+template <class Real>
+class Cells {
+ public:
+  using Vec = BasicVec2<Real>;
+
+  Cells(std::size_t balls, Real diameter) : diameter_(diameter), at_(balls), next_(balls, none) {}
+
+  /// Cells that hold one or two balls each and are no smaller than `least_side`, with all balls
+  /// where `position(ball)` is; those for which `present(ball)` is false are in none.
+  template <class Present, class Position>
+  void build(Real least_side, const Present& present, const Position& position) {
+    std::size_t count = 0;
+    Vec low{never<Real>, never<Real>};
+    Vec high{-never<Real>, -never<Real>};
+    for (std::uint32_t ball = 0; ball < at_.size(); ++ball) {
+      if (!present(ball)) continue;
+      const Vec p = position(ball);
+      low = {smaller(low.x, p.x), smaller(low.y, p.y)};
+      high = {larger(high.x, p.x), larger(high.y, p.y)};
+      ++count;
+    }
+    if (count == 0) low = high = {};
+    using std::sqrt;
+    const Real coordinate = larger(largest_coordinate(low), largest_coordinate(high));
+    const Real least = larger(larger(least_side, diameter_ * Real(least_diameters)),
+                              coordinate / reliable_sides<Real>);
+    origin_ = low;
+    const Vec extent{larger(high.x - low.x, least), larger(high.y - low.y, least)};
+    const Real even = sqrt(extent.x) * sqrt(extent.y) *
+                      sqrt(Real(balls_a_cell) / Real(std::max<std::size_t>(count, 1)));
+    for (side_ = larger(least, even);; side_ = larger(least, side_ / 2)) {
+      slack_ = side_ / 16;
+      lay_out(extent, count);
+      for (std::uint32_t ball = 0; ball < at_.size(); ++ball) {
+        if (present(ball)) put(ball, position(ball));
+      }
+      if (side_ == least || crowd() <= Real(most_crowded) * Real(count)) return;
+    }
+  }
+
+  Real side() const { return side_; }
+  /// Balls nearer to one another than this are in the same cell or in neighbouring ones.
+  Real reach() const { return side_ - 2 * slack_; }
+
+  void remove(std::uint32_t ball) {
+    Cell& cell = cells_[at_[ball].slot];
+    const std::uint32_t count = cell.count--;
+    if (cell.balls[0] != ball && cell.balls[1] != ball) {
+      std::uint32_t* link = &cell.balls[2];
+      while (*link != ball) link = &next_[*link];
+      *link = next_[ball];
+      return;
+    }
+    std::uint32_t& gap = cell.balls[0] == ball ? cell.balls[0] : cell.balls[1];
+    gap = count > 2 ? cell.balls[2] : cell.balls[1];
+    if (count > 3) cell.balls[2] = next_[cell.balls[2]];
+  }
+
+  /// Sets `found` to all balls in the cell of `ball` and in those round it, itself among them, and
+  /// some that are elsewhere.
+  void find_beside(std::uint32_t ball, Gathered& found) const {
+    gather<3, 3>(at_[ball].column - 1, at_[ball].row - 1, found);
+  }
+
+  /// The same for the three cells that became neighbours when `ball` crossed over `side`.
+  void find_ahead(std::uint32_t ball, Side side, Gathered& found) const {
+    const std::int64_t column = at_[ball].column;
+    const std::int64_t row = at_[ball].row;
+    if (side == Side::right) gather<1, 3>(column + 1, row - 1, found);
+    if (side == Side::left) gather<1, 3>(column - 1, row - 1, found);
+    if (side == Side::up) gather<3, 1>(column - 1, row + 1, found);
+    if (side == Side::down) gather<3, 1>(column - 1, row - 1, found);
+  }
+
+  /// Moves a ball to the next cell.
+  void cross(std::uint32_t ball, Side side) {
+    remove(ball);
+    Place& at = at_[ball];
+    at.column += (side == Side::right) - (side == Side::left);
+    at.row += (side == Side::up) - (side == Side::down);
+    link(ball);
+  }
+
+  /// When a ball that is at `p` now, moves at `v` and accelerates by `a` leaves its cell. Cells
+  /// overlap a little: a ball that has just crossed is well inside the next one, so that rounding
+  /// cannot send it to and fro.
+  Crossing<Real> crossing(std::uint32_t ball, Vec p, Vec v, Vec a) const {
+    const Place& at = at_[ball];
+    const Real x = p.x - (origin_.x + Real(at.column) * side_);
+    const Real y = p.y - (origin_.y + Real(at.row) * side_);
+    Crossing<Real> first;
+    leave(first, side_ + slack_ - x, v.x, a.x, Side::right);
+    leave(first, slack_ + x, -v.x, -a.x, Side::left);
+    leave(first, side_ + slack_ - y, v.y, a.y, Side::up);
+    leave(first, slack_ + y, -v.y, -a.y, Side::down);
+    return first;
+  }
+
+  /// Whether positions of this size, with a doubt of `doubt` on each, are known well enough for
+  /// these cells.
+  bool resolves(Vec position, Real doubt) const {
+    return largest_coordinate(position) <= side_ * reliable_sides<Real> && doubt <= slack_ / 8;
+  }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  /// A side of 5/4 diameters, less what cells overlap, is more than a diameter.
+  static constexpr double least_diameters = 1.25;
+  static constexpr double balls_a_cell = 0.7;
+  /// Balls that share a cell with a ball, itself among them: evenly spread ones would be 2.5.
+  static constexpr double most_crowded = 6;
+  /// Coordinates up to so many sides are known to a small part of a side.
+  template <class Number>
+  static constexpr Number reliable_sides =
+      Number(std::uint64_t{1} << std::min(std::numeric_limits<Number>::digits - 13, 48));
+
+  struct Place {
+    std::int64_t column = 0;
+    std::int64_t row = 0;
+    std::uint32_t slot = 0;
+  };
+
+  /// The balls of a cell: two, and the first of a chain of the others. Hardly any cell has more
+  /// than three, so that they can be gathered without a branch.
+  struct Cell {
+    std::array<std::uint32_t, 3> balls{none, none, none};
+    std::uint32_t count = 0;
+  };
+
+  static constexpr std::size_t inlined = 3;
+
+  /// Sets `found` to the balls of a block of cells.
+  template <std::int64_t columns, std::int64_t rows>
+  void gather(std::int64_t column, std::int64_t row, Gathered& found) const {
+    std::uint32_t* end = found.begin_anew(columns * rows * inlined);
+    std::size_t most = 0;
+    for (std::int64_t r = 0; r < rows; ++r) {
+      const Cell* const cells = &cells_[slot_of(0, row + r)];
+      for (std::int64_t c = 0; c < columns; ++c) {
+        const Cell& cell = cells[static_cast<std::uint64_t>(column + c) & column_mask_];
+        for (std::size_t i = 0; i < inlined; ++i) end[i] = cell.balls[i];
+        end += std::min<std::size_t>(cell.count, inlined);
+        most = std::max<std::size_t>(most, cell.count);
+      }
+    }
+    found.end_at(end);
+    if (most > inlined) gather_chains<columns, rows>(column, row, found);
+  }
+
+  /// The same where a cell holds more balls than can be gathered so.
+  template <std::int64_t columns, std::int64_t rows>
+  void gather_chains(std::int64_t column, std::int64_t row, Gathered& found) const {
+    std::array<const Cell*, columns * rows> cells{};
+    std::size_t all = 0;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const auto c = static_cast<std::int64_t>(k) % columns;
+      const auto r = static_cast<std::int64_t>(k) / columns;
+      cells[k] = &cells_[slot_of(column + c, row + r)];
+      all += cells[k]->count;
+    }
+    std::uint32_t* end = found.begin_anew(all);
+    for (const Cell* cell : cells) {
+      std::uint32_t next = none;
+      for (std::size_t i = 0; i < cell->count; ++i) {
+        next = i < inlined ? cell->balls[i] : next_[next];
+        *end++ = next;
+      }
+    }
+    found.end_at(end);
+  }
+
+  /// As many lists as cover the extent, in powers of two, but no more than eight a ball. Fewer than
+  /// four a side would let a ball see itself twice.
+  void lay_out(Vec extent, std::size_t count) {
+    std::uint64_t columns = power_above(extent.x / side_ + 1, count);
+    std::uint64_t rows = power_above(extent.y / side_ + 1, count);
+    while (columns * rows > std::max<std::size_t>(8 * count, 16)) {
+      (columns > rows ? columns : rows) /= 2;
+    }
+    column_mask_ = columns - 1;
+    row_mask_ = rows - 1;
+    columns_ = columns;
+    cells_.assign(columns * rows, Cell{});
+  }
+
+  static std::uint64_t power_above(Real least, std::size_t count) {
+    std::uint64_t power = 4;
+    while (Real(power) < least && power < 8 * count) power *= 2;
+    return power;
+  }
+
+  std::uint32_t slot_of(std::int64_t column, std::int64_t row) const {
+    return static_cast<std::uint32_t>((static_cast<std::uint64_t>(row) & row_mask_) * columns_ +
+                                      (static_cast<std::uint64_t>(column) & column_mask_));
+  }
+
+  void put(std::uint32_t ball, Vec position) {
+    using std::floor;
+    at_[ball].column = static_cast<std::int64_t>(floor((position.x - origin_.x) / side_));
+    at_[ball].row = static_cast<std::int64_t>(floor((position.y - origin_.y) / side_));
+    link(ball);
+  }
+
+  void link(std::uint32_t ball) {
+    Place& at = at_[ball];
+    at.slot = slot_of(at.column, at.row);
+    Cell& cell = cells_[at.slot];
+    if (cell.count < 2) {
+      cell.balls[cell.count] = ball;
+    } else {
+      next_[ball] = cell.balls[2];
+      cell.balls[2] = ball;
+    }
+    ++cell.count;
+  }
+
+  /// For every ball the number of balls in its list, added up.
+  Real crowd() const {
+    Real sum = 0;
+    for (const Cell& cell : cells_) sum += Real(cell.count) * Real(cell.count);
+    return sum;
+  }
+
+  static void leave(Crossing<Real>& first, Real gap, Real towards, Real pull, Side side) {
+    using std::sqrt;
+    if (towards <= 0 && pull <= 0) return;
+    gap = larger(gap, Real(0));
+    const Real square = towards * towards + 2 * pull * gap;
+    Real t = never<Real>;
+    if (pull == 0) {
+      t = gap / towards;
+    } else if (towards <= 0) {
+      t = (sqrt(square) - towards) / pull;
+    } else if (square >= 0) {
+      t = 2 * gap / (towards + sqrt(square));
+    }
+    if (t < first.after_s) first = {t, side};
+  }
+
+  Real diameter_;
+  Real side_{};
+  Real slack_{};  ///< by which cells overlap on every side
+  Vec origin_;    ///< a corner of cell 0, 0
+  std::uint64_t columns_ = 0;
+  std::uint64_t column_mask_ = 0;
+  std::uint64_t row_mask_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<Place> at_;
+  std::vector<std::uint32_t> next_;  ///< in the chain of a cell
+};
+
+}  // namespace breakshot::physics
