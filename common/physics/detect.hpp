@@ -192,17 +192,19 @@ Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, R
   const Real coordinate = larger(radius, largest_coordinate(s.position));
   if (gap <= touch_gap_bound(coordinate, path.speed, s.start_s) &&
       gap <= touch_gap(coordinate, path.speed, s.start_s)) {
-    // Deeper than rounding can have pushed it, the ball is not in front of this cushion.
-    if (gap < -touch_gap(coordinate, 2 * top_speed, s.start_s)) return never<Real>;
-    if (!within(Real(0))) return never<Real>;
-    const Real unresolved = unresolved_speed(path.speed);
-    if (towards > unresolved) return s.start_s;
-    if (pull <= 0) return never<Real>;
-    if (towards >= -unresolved) return s.start_s;
-    // Back at the line, or where the line was not reached, back at the depth it started from.
-    const Real square = towards * towards + 2 * pull * gap;
-    const Real t = (square > 0 ? sqrt(square) - towards : -2 * towards) / pull;
-    return s.start_s + t <= path.end_s && within(t) ? s.start_s + t : never<Real>;
+    // Deeper than rounding can have pushed it, the ball is behind the line, in the mouth of a
+    // pocket perhaps: it may only come out and turn back.
+    if (gap >= -touch_gap(coordinate, 2 * top_speed, s.start_s)) {
+      const Real unresolved = unresolved_speed(path.speed);
+      if (towards > unresolved) return within(Real(0)) ? s.start_s : never<Real>;
+      if (pull <= 0) return never<Real>;
+      if (towards >= -unresolved) return within(Real(0)) ? s.start_s : never<Real>;
+      // Back at the line, or where the line was not reached, back at the depth it started from.
+      const Real square = towards * towards + 2 * pull * gap;
+      const Real t = (square > 0 ? sqrt(square) - towards : -2 * towards) / pull;
+      return s.start_s + t <= path.end_s && within(t) ? s.start_s + t : never<Real>;
+    }
+    if (towards >= 0) return never<Real>;
   }
   const Real discriminant = towards * towards + 2 * pull * gap;
   Real t = never<Real>;
