@@ -136,11 +136,11 @@ int nearest(Real x) {
 /// normal number rounded twice.
 template <class Real>
 Real portable_exp(Real x) {
-  using Limits = std::numeric_limits<Real>;
+  using Numbers = std::numeric_limits<Real>;
   const portable::Period<Real>& ln_two = portable::ln_two<Real>();
   if (!(x == x)) return x;
-  if (x > ln_two.high * (Limits::max_exponent + 1)) return Limits::infinity();
-  if (x < ln_two.high * (Limits::min_exponent - Limits::digits - 2)) return Real(0);
+  if (x > ln_two.high * (Numbers::max_exponent + 1)) return Numbers::infinity();
+  if (x < ln_two.high * (Numbers::min_exponent - Numbers::digits - 2)) return Real(0);
   const int n = portable::nearest<Real>(x * ln_two.inverse);
   const Real r = (x - Real(n) * ln_two.high) - Real(n) * ln_two.low;
   const Real value = 1 + (r + r * r * portable::tail(r, 2, 1));
