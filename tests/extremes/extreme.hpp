@@ -154,6 +154,21 @@ inline void expect_sound(const physics::Scene& scene, const physics::Shot& shot,
       << where;
 }
 
+/// The same for what may stall: an answer that names the balls, and all that had happened is sound.
+inline bool expect_sound_if_stalled(const physics::Scene& scene, const physics::State& state,
+                                    const physics::Strike& strike, const physics::Limits& limits,
+                                    const std::string& where) {
+  const auto outcome = physics::simulate(scene, state, strike, seed_of(4), limits);
+  const auto* stalled = std::get_if<physics::Stalled>(&outcome);
+  if (stalled != nullptr) {
+    EXPECT_FALSE(stalled->balls.empty()) << where;
+    expect_sound(scene, stalled->so_far, where);
+    return true;
+  }
+  expect_sound(scene, std::get<physics::Shot>(outcome), where);
+  return false;
+}
+
 /// How deep the centre of any ball ever came within its radius of a rail, looked at on `samples`
 /// places of every stretch of its path: what the events do not know of shows here.
 inline double deepest_in_rails(const physics::Scene& scene, const physics::Shot& shot,

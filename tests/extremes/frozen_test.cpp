@@ -150,28 +150,29 @@ TEST(Cradle, OfRollingBallsKeepsOrderAndMomentum) {
     const Scene scene = carpet(pair);
     for (const std::uint32_t n : {3u, 5u, 15u}) {
       for (const double gap : {0.0, 1e-15, 1e-12, 1e-6}) {
-        Limits limits;
         const State state = row(scene, n, gap);
-        Simulation simulation(scene, state, std::nullopt, {}, limits);
-        double before = 0;
-        while (simulation.shot().events.empty() && before < 1) {
-          simulation.advance_to(before += 0.001);
+        Simulation simulation(scene, state, std::nullopt, {}, {});
+        double after = 0;
+        while (all_of<BallBall>(simulation.shot()).empty() && after < 1) {
+          simulation.advance_to(after += 1e-4);
         }
-        ASSERT_FALSE(simulation.shot().events.empty());
-        const double hit = time_of(simulation.shot().events[0]);
+        ASSERT_FALSE(all_of<BallBall>(simulation.shot()).empty());
+        const double hit = all_of<BallBall>(simulation.shot())[0].time_s;
         const double speed = 2 - 0.01 * 9.81 * hit;
-        const Timeline timeline(simulation.shot());
+        const Timeline timeline(simulation.shot_until(after));
         double momentum = 0;
         double last = -1e9;
         for (std::uint32_t i = 0; i < n; ++i) {
-          const BallState b = timeline.state(BallId{i}, hit);
+          const BallState b = timeline.state(BallId{i}, hit + 1e-12);
           momentum += b.velocity.x;
-          EXPECT_GE(b.velocity.x, last - 1e-12) << name_of(scene) << " ball " << i << " of " << n;
           EXPECT_NEAR(b.velocity.y, 0, 1e-15);
-          if (gap == 0) last = b.velocity.x;
+          if (gap > 0) continue;
+          // Balls that now roll slow down and others slip: 1e-12 s after the hit.
+          EXPECT_GE(b.velocity.x, last - 1e-11) << name_of(scene) << " ball " << i << " of " << n;
+          last = b.velocity.x;
         }
-        // What the cloth takes of a vertical impulse is spin; along the bed nothing is lost.
-        EXPECT_NEAR(momentum, speed, 0.2) << name_of(scene);
+        // Friction of the balls is vertical here; only mathavan2014 lets the cloth take part.
+        EXPECT_NEAR(momentum, speed, pair.index() == 3 ? 0.2 : 1e-9) << name_of(scene);
         if (!presses_for_ever(scene)) {
           expect_sound(scene, shot_of(scene, state), name_of(scene) + " n " + std::to_string(n));
         }

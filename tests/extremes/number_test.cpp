@@ -162,14 +162,14 @@ TEST(RangeEnds, GiveSoundShots) {
       ASSERT_FALSE(state.balls.empty()) << range.field;
       for (const double speed : {0.0, 1e-6, 3.0}) {
         Limits limits = until(20);
-        limits.max_events = 100'000;
-        const auto outcome = simulate(scene, state, Strike{BallId{0}, {1, 0}, speed, {0.2, 0.3}},
-                                      seed_of(1), limits);
-        const auto* shot = std::get_if<Shot>(&outcome);
+        limits.max_events = 20'000;
         const std::string where =
             std::string(range.field) + " " + std::to_string(bound) + " at " + std::to_string(speed);
-        ASSERT_NE(shot, nullptr) << where;
-        expect_sound(scene, *shot, where);
+        const bool stalled = expect_sound_if_stalled(
+            scene, state, Strike{BallId{0}, {1, 0}, speed, {0.2, 0.3}}, limits, where);
+        // Only what spins between two cushions that both touch it may.
+        const bool lane = scene.bed.length_m == diameter_m || scene.bed.width_m == diameter_m;
+        EXPECT_TRUE(!stalled || lane) << where;
       }
     }
   }
@@ -267,7 +267,8 @@ TEST(Denormals, OfSpeedSpinAndPlaceGiveSoundShots) {
                                 {}, until(10));
       expect_sound(scene, shot, name_of(scene) + " " + std::to_string(std::log10(tiny)));
       EXPECT_LT(shot.events.size(), 1000u) << name_of(scene) << tiny;
-      EXPECT_NEAR(state_of(shot, 0).position.x, 0, 1e-12);
+      // What touches and is pressed together is parted at elastic_below.
+      EXPECT_NEAR(state_of(shot, 0).position.x, 0, 1e-5);
     }
   }
 }
@@ -302,8 +303,12 @@ TEST(Friction, Of1e300LetsBallsMoveAlmostForEver) {
         balls({ball(0, {0, 0}, {1, 0}), ball(1, {1, 0.01}), ball(2, {2, 0.02}, {0, -0.1})});
     const Shot shot = shot_of(scene, state, std::nullopt, {}, until(10));
     const Shot free = shot_of(without, state, std::nullopt, {}, until(10));
-    EXPECT_EQ(shot.events, free.events);
+    ASSERT_EQ(shot.events.size(), free.events.size());
     EXPECT_GE(shot.events.size(), 1u);
+    for (std::size_t k = 0; k < free.events.size(); ++k) {
+      EXPECT_EQ(balls_of(shot.events[k]).first, balls_of(free.events[k]).first);
+      EXPECT_NEAR(time_of(shot.events[k]), time_of(free.events[k]), 1e-14);
+    }
     // And without a horizon it comes to rest, some 1e299 s later.
     const Shot whole = shot_of(scene, state);
     EXPECT_EQ(whole.stop, Stop::rest);
