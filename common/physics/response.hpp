@@ -76,10 +76,11 @@ class Response {
     });
   }
 
-  /// Whether the second derivative of the gap is negative.
+  /// Whether the second derivative of the gap is negative. Without spin a ball that leaves a cushion
+  /// only slows down: it does not come back, however its deceleration points.
   bool closes(const std::vector<Body<Real>>& bodies, const Contact<Real>& c) const {
     const Vec pull = laws_.cloth.acceleration_of(bodies[c.a].moving());
-    if (c.cushion) return dot(pull, c.normal) > 0;
+    if (c.cushion) return laws_.cloth.spins() && dot(pull, c.normal) > 0;
     const Vec velocity = relative_velocity(bodies, c);
     const Vec acceleration = pull - laws_.cloth.acceleration_of(bodies[c.b].moving());
     const Vec between = bodies[c.b].position - bodies[c.a].position;

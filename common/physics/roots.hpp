@@ -74,6 +74,7 @@ Real bracketed_root(Real low, Real high, Real guess, bool rising, const Value& v
     if (f == 0) return t;
     ((f < 0) == rising ? low : high) = t;
     Real next = t - f / slope;
+    if (next == t) return t;
     if (!(next > low && next < high)) next = low + (high - low) / 2;
     if (!(next > low && next < high)) return next;
     const Real moved = next > t ? next - t : t - next;

@@ -74,7 +74,7 @@ Real scaled_length(BasicVec2<Real> a) {
   const Real ax = a.x < 0 ? -a.x : a.x;
   const Real ay = a.y < 0 ? -a.y : a.y;
   const Real largest = ax < ay ? ay : ax;
-  if (!(largest > 0)) return largest;
+  if (!(largest > 0)) return ax + ay;  // zero, or not a number
   const BasicVec2<Real> scaled = a / largest;
   return largest * sqrt(dot(scaled, scaled));
 }

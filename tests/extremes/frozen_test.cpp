@@ -1,0 +1,331 @@
+// Balls that touch: racks, cradles, frozen cue balls, simultaneous hits. Elastic cradles and the
+// frictionless break: tests/physics/contact_test.cpp.
+#include "common/physics/simulation.hpp"
+#include "tests/extremes/extreme.hpp"
+
+namespace breakshot::physics {
+namespace {
+
+using namespace support;
+
+TEST(FrozenRack, AtRestStaysAtRest) {
+  for (const Scene& scene : every_table()) {
+    const State state = racked(scene, 0);
+    const Shot shot = shot_of(scene, state, std::nullopt, {}, until(10));
+    EXPECT_TRUE(shot.events.empty()) << name_of(scene);
+    EXPECT_EQ(shot.stop, Stop::rest);
+    EXPECT_EQ(state_after(shot), state) << name_of(scene);
+  }
+}
+
+TEST(FrozenRack, StaysAtRestWhileAnotherBallMoves) {
+  for (const Scene& scene : every_table()) {
+    const State state = racked(scene, 0);
+    const Shot shot = shot_of(scene, state, Strike{BallId{0}, {-1, 0}, 0.2, {}}, {}, until(3));
+    EXPECT_TRUE(all_of<BallBall>(shot).empty()) << name_of(scene);
+    for (std::uint32_t id = 1; id < 16; ++id) {
+      EXPECT_EQ(state_of(shot, id).position, state.balls[id].position) << name_of(scene);
+    }
+  }
+}
+
+/// All balls right after the set of contacts of a break, which may be spread over some instants
+/// that rounding keeps apart.
+std::vector<BallState> after_first_set(const Scene& scene, const State& state, double speed_m_s) {
+  Simulation simulation(scene, state, Strike{BallId{0}, {1, 0}, speed_m_s, {}}, {}, until(1));
+  simulation.advance_to(0.2);
+  const auto hits = all_of<BallBall>(simulation.shot());
+  if (hits.empty()) return {};
+  double last = hits[0].time_s;
+  for (const BallBall& hit : hits) {
+    if (hit.time_s < hits[0].time_s + 1e-9) last = hit.time_s;
+  }
+  return Timeline(simulation.shot()).states(last);
+}
+
+double energy_of(const std::vector<BallState>& states) {
+  double sum = 0;
+  for (const BallState& b : states) {
+    sum += dot(b.velocity, b.velocity) + 0.4 * radius_m * radius_m * dot(b.spin, b.spin);
+  }
+  return sum;
+}
+
+TEST(FrozenRack, HeadOnKeepsTheMirrorInEveryScene) {
+  for (const Scene& scene : every_table()) {
+    const auto after = after_first_set(scene, racked(scene, 0), 8);
+    ASSERT_EQ(after.size(), 16u);
+    for (const BallState& here : after) {
+      const auto mirrored = std::find_if(after.begin(), after.end(), [&](const BallState& other) {
+        return length(Vec2{other.position.x, -other.position.y} - here.position) < 1e-6;
+      });
+      ASSERT_NE(mirrored, after.end());
+      EXPECT_NEAR(mirrored->velocity.x, here.velocity.x, 1e-12) << name_of(scene);
+      EXPECT_NEAR(mirrored->velocity.y, -here.velocity.y, 1e-12) << name_of(scene);
+      // A spin is mirrored the other way; 1e-12 m/s at the surface.
+      EXPECT_NEAR(mirrored->spin.x, -here.spin.x, 1e-12 / radius_m) << name_of(scene);
+      EXPECT_NEAR(mirrored->spin.y, here.spin.y, 1e-12 / radius_m) << name_of(scene);
+      EXPECT_NEAR(mirrored->spin.z, -here.spin.z, 1e-12 / radius_m) << name_of(scene);
+    }
+    EXPECT_LE(energy_of(after), 64 * (1 + 1e-14)) << name_of(scene);
+  }
+}
+
+TEST(FrozenRack, DoesNotDependOnTheNumberingInEveryScene) {
+  for (const Scene& scene : every_table()) {
+    const State state = racked(scene, 0);
+    const auto reference = after_first_set(scene, state, 8);
+    Chance chance(23);
+    for (int round = 0; round < 3; ++round) {
+      std::vector<std::uint32_t> renamed(16);
+      for (std::uint32_t i = 0; i < 16; ++i) renamed[i] = i;
+      for (std::size_t i = 15; i > 1; --i) std::swap(renamed[i], renamed[1 + chance.below(i)]);
+      State shuffled = state;
+      for (std::size_t i = 0; i < 16; ++i) shuffled.balls[i].id = BallId{renamed[i]};
+      const auto after = after_first_set(scene, shuffled, 8);
+      for (std::size_t i = 0; i < 16; ++i) {
+        EXPECT_LE(length(after[renamed[i]].velocity - reference[i].velocity), 1e-13)
+            << name_of(scene) << " ball " << i;
+      }
+    }
+  }
+}
+
+TEST(FrozenRack, OffCentreIsSoundInEveryScene) {
+  for (const Scene& scene : every_table()) {
+    for (const double offset : {1e-15, 1e-9, 1e-3, 0.03, diameter_m - 1e-9}) {
+      if (presses_for_ever(scene)) continue;
+      State state = racked(scene, 0);
+      state.balls[0].position.y = offset;
+      const Shot shot =
+          shot_of(scene, state, Strike{BallId{0}, {1, 0}, 8, {}}, {}, limits_for(scene, 0.3));
+      expect_sound(scene, shot, name_of(scene) + " offset " + std::to_string(offset));
+      EXPECT_LT(shot.events.size(), 5000u) << name_of(scene) << " offset " << offset;
+    }
+  }
+}
+
+TEST(NearlyFrozenRack, IsSoundForGapsOf1e15To1e3Radii) {
+  for (const Scene& scene : every_table()) {
+    if (presses_for_ever(scene)) continue;
+    for (int exponent = -15; exponent <= -3; ++exponent) {
+      const double gap = radius_m * std::pow(10.0, exponent);
+      const Shot shot = shot_of(scene, racked(scene, gap), Strike{BallId{0}, {1, 0}, 8, {}}, {},
+                                limits_for(scene, 0.3));
+      const std::string where = name_of(scene) + " gap 1e" + std::to_string(exponent) + " R";
+      expect_sound(scene, shot, where);
+      EXPECT_LT(shot.events.size(), 5000u) << where;
+    }
+  }
+}
+
+// ---- Cradles
+
+/// A ball that comes along +x to `count` - 1 that stand in a row, `gap` apart.
+State row(const Scene& scene, std::uint32_t count, double gap) {
+  State state{{moving(scene, 0, {0, 0}, {2, 0})}};
+  double x = 0.3;
+  for (std::uint32_t i = 1; i < count; ++i, x += diameter_m + gap) {
+    state.balls.push_back(ball(i, {x, 0}));
+  }
+  return state;
+}
+
+TEST(Cradle, OfAnyGapPassesTheStrokeOn) {
+  for (const std::uint32_t n : {3u, 5u, 15u}) {
+    for (int exponent = -15; exponent <= -3; ++exponent) {
+      const double gap = radius_m * std::pow(10.0, exponent);
+      const Shot shot = shot_of(gas(), row(gas(), n, gap), std::nullopt, {}, until(1));
+      for (std::uint32_t i = 0; i < n; ++i) {
+        EXPECT_NEAR(state_of(shot, i).velocity.x, i + 1 == n ? 2 : 0, 1e-14) << n << " " << gap;
+        EXPECT_EQ(state_of(shot, i).velocity.y, 0);
+      }
+      EXPECT_EQ(all_of<BallBall>(shot).size(), n - 1) << gap;
+    }
+  }
+}
+
+TEST(Cradle, OfRollingBallsKeepsOrderAndMomentum) {
+  for (const BallBallModel& pair : pair_models()) {
+    const Scene scene = carpet(pair);
+    for (const std::uint32_t n : {3u, 5u, 15u}) {
+      for (const double gap : {0.0, 1e-15, 1e-12, 1e-6}) {
+        const State state = row(scene, n, gap);
+        Simulation simulation(scene, state, std::nullopt, {}, {});
+        double after = 0;
+        while (all_of<BallBall>(simulation.shot()).empty() && after < 1) {
+          simulation.advance_to(after += 1e-4);
+        }
+        ASSERT_FALSE(all_of<BallBall>(simulation.shot()).empty());
+        const double hit = all_of<BallBall>(simulation.shot())[0].time_s;
+        const double speed = 2 - 0.01 * 9.81 * hit;
+        const Timeline timeline(simulation.shot_until(after));
+        double momentum = 0;
+        double last = -1e9;
+        for (std::uint32_t i = 0; i < n; ++i) {
+          const BallState b = timeline.state(BallId{i}, hit + 1e-12);
+          momentum += b.velocity.x;
+          EXPECT_NEAR(b.velocity.y, 0, 1e-15);
+          if (gap > 0) continue;
+          // Balls that now roll slow down and others slip: 1e-12 s after the hit.
+          EXPECT_GE(b.velocity.x, last - 1e-11) << name_of(scene) << " ball " << i << " of " << n;
+          last = b.velocity.x;
+        }
+        // Friction of the balls is vertical here; only mathavan2014 lets the cloth take part.
+        EXPECT_NEAR(momentum, speed, pair.index() == 3 ? 0.2 : 1e-9) << name_of(scene);
+        if (!presses_for_ever(scene)) {
+          expect_sound(scene, shot_of(scene, state), name_of(scene) + " n " + std::to_string(n));
+        }
+      }
+    }
+  }
+}
+
+// ---- Sets of a few. Two balls into one, elastic: tests/physics/contact_test.cpp.
+
+TEST(TwoIntoOne, KeepsTheMirrorInEveryScene) {
+  for (const Scene& scene : every_cloth()) {
+    const double y = 0.04;
+    const Shot shot = shot_of(scene,
+                              balls({moving(scene, 0, {-0.3, y}, {2, 0}),
+                                     moving(scene, 1, {-0.3, -y}, {2, 0}), ball(2, {0, 0})}),
+                              std::nullopt, {}, until(0.5));
+    const auto hits = all_of<BallBall>(shot);
+    ASSERT_GE(hits.size(), 2u) << name_of(scene);
+    EXPECT_EQ(hits[0].time_s, hits[1].time_s) << name_of(scene);
+    const BallState a = state_of(shot, 0, hits[0].time_s);
+    const BallState b = state_of(shot, 1, hits[0].time_s);
+    const BallState c = state_of(shot, 2, hits[0].time_s);
+    EXPECT_NEAR(a.velocity.x, b.velocity.x, 1e-14) << name_of(scene);
+    EXPECT_NEAR(a.velocity.y, -b.velocity.y, 1e-14) << name_of(scene);
+    EXPECT_NEAR(c.velocity.y, 0, 1e-14) << name_of(scene);
+    expect_sound(scene, shot, name_of(scene));
+  }
+}
+
+TEST(ZeroGapV, IsSplitEvenlyAndElasticallyAsInClosedForm) {
+  // Two balls that touch, struck in the middle: the cue ball returns at a fifth of its speed and
+  // each of the two leaves at 30 degrees with 2 sqrt(3) / 5 of it.
+  const double h = diameter_m / 2;
+  const Shot shot =
+      shot_of(gas(), balls({ball(0, {-1, 0}, {5, 0}), ball(1, {0, h}), ball(2, {0, -h})}),
+              std::nullopt, {}, until(0.5));
+  EXPECT_NEAR(state_of(shot, 0).velocity.x, -1, 1e-14);
+  EXPECT_NEAR(state_of(shot, 0).velocity.y, 0, 1e-14);
+  EXPECT_NEAR(state_of(shot, 1).velocity.x, 3, 1e-14);
+  EXPECT_NEAR(state_of(shot, 1).velocity.y, std::sqrt(3.0), 1e-14);
+  EXPECT_NEAR(state_of(shot, 2).velocity.x, 3, 1e-14);
+  EXPECT_NEAR(state_of(shot, 2).velocity.y, -std::sqrt(3.0), 1e-14);
+}
+
+TEST(ZeroGapV, IsSplitEvenlyInEveryScene) {
+  const double h = diameter_m / 2;
+  for (const Scene& scene : every_cloth()) {
+    const Shot shot = shot_of(
+        scene, balls({moving(scene, 0, {-0.3, 0}, {3, 0}), ball(1, {0, h}), ball(2, {0, -h})}),
+        std::nullopt, {}, until(0.3));
+    const auto hits = all_of<BallBall>(shot);
+    ASSERT_GE(hits.size(), 2u) << name_of(scene);
+    const BallState up = state_of(shot, 1, hits[0].time_s);
+    const BallState down = state_of(shot, 2, hits[0].time_s);
+    EXPECT_NEAR(state_of(shot, 0, hits[0].time_s).velocity.y, 0, 1e-13) << name_of(scene);
+    EXPECT_NEAR(up.velocity.x, down.velocity.x, 1e-13) << name_of(scene);
+    EXPECT_NEAR(up.velocity.y, -down.velocity.y, 1e-13) << name_of(scene);
+    EXPECT_NEAR(up.spin.z, -down.spin.z, 1e-12 / radius_m) << name_of(scene);
+    expect_sound(scene, shot, name_of(scene));
+  }
+}
+
+// ---- A frozen cue ball
+
+Shot frozen_cue(const Scene& scene, Vec2 direction, double speed_m_s = 2) {
+  return shot_of(scene, balls({ball(0, {0, 0}), ball(1, {diameter_m, 0})}),
+                 Strike{BallId{0}, direction, speed_m_s, {}}, {}, until(2));
+}
+
+TEST(FrozenCueBall, StruckIntoItsNeighbourMovesItAtOnce) {
+  for (const Scene& scene : every_cloth()) {
+    const Shot shot = frozen_cue(scene, {1, 0});
+    const auto hits = all_of<BallBall>(shot);
+    ASSERT_GE(hits.size(), 1u) << name_of(scene);
+    EXPECT_EQ(hits[0].time_s, 0) << name_of(scene);
+    const double e = scene.ball_ball->index() == 0   ? 1
+                     : scene.ball_ball->index() == 3 ? 0.89
+                                                     : 0.95;
+    const double there = state_of(shot, 1, 0).velocity.x;
+    EXPECT_NEAR(there, 1 + e, scene.ball_ball->index() == 3 ? 0.05 : 1e-14) << name_of(scene);
+    expect_sound(scene, shot, name_of(scene));
+  }
+}
+
+TEST(FrozenCueBall, StruckAwayLeavesItsNeighbourAlone) {
+  for (const Scene& scene : every_cloth()) {
+    for (const Vec2 direction : {Vec2{-1, 0}, Vec2{-0.6, 0.8}, Vec2{-0.8, -0.6}}) {
+      const Shot shot = frozen_cue(scene, direction);
+      EXPECT_TRUE(all_of<BallBall>(shot).empty()) << name_of(scene);
+      EXPECT_EQ(state_of(shot, 1).position, (Vec2{diameter_m, 0}));
+    }
+  }
+}
+
+TEST(FrozenCueBall, StruckAlongItsNeighbourOnlyGrazesIt) {
+  for (const Scene& scene : every_cloth()) {
+    for (const double side : {1.0, -1.0}) {
+      const Shot shot = frozen_cue(scene, {0, side});
+      EXPECT_TRUE(all_of<BallBall>(shot).empty()) << name_of(scene);
+      EXPECT_EQ(state_of(shot, 1).position, (Vec2{diameter_m, 0})) << name_of(scene);
+    }
+  }
+}
+
+TEST(FrozenCueBall, StruckAlongItsNeighbourAndAHairIntoItMovesItAHair) {
+  for (const Scene& scene : every_cloth()) {
+    for (const double hair : {1e-3, 1e-6, 1e-9}) {
+      const Shot shot = frozen_cue(scene, {hair, std::sqrt(1 - hair * hair)});
+      const auto hits = all_of<BallBall>(shot);
+      ASSERT_GE(hits.size(), 1u) << name_of(scene) << hair;
+      EXPECT_EQ(hits[0].time_s, 0);
+      EXPECT_GT(state_of(shot, 1, 0).velocity.x, 0) << name_of(scene) << hair;
+      EXPECT_LT(state_of(shot, 1, 0).velocity.x, 4.01 * hair) << name_of(scene) << hair;
+      expect_sound(scene, shot, name_of(scene));
+    }
+  }
+}
+
+// ---- Followers
+
+TEST(Follower, ThatIs1e12FasterCatchesUpOnceAndForAll) {
+  for (const Scene& scene : every_cloth()) {
+    for (const double gap : {0.0, 1e-13, 1e-12}) {
+      const double v = 0.5;
+      const Shot shot = shot_of(scene,
+                                balls({moving(scene, 0, {0, 0}, {v + 1e-12, 0}),
+                                       moving(scene, 1, {diameter_m + gap, 0}, {v, 0})}),
+                                std::nullopt, {}, until(4));
+      EXPECT_GE(state_of(shot, 1).velocity.x, state_of(shot, 0).velocity.x - 1e-15)
+          << name_of(scene) << " gap " << gap;
+      EXPECT_LT(shot.events.size(), 200u) << name_of(scene) << " gap " << gap;
+      expect_sound(scene, shot, name_of(scene));
+    }
+  }
+}
+
+TEST(Follower, FivesInARowStayInARow) {
+  for (const Scene& scene : every_cloth()) {
+    State state;
+    double x = 0;
+    for (std::uint32_t i = 0; i < 5; ++i, x += diameter_m + 1e-13) {
+      state.balls.push_back(moving(scene, i, {x, 0}, {0.5 + (4 - i) * 1e-12, 0}));
+    }
+    const Shot shot = shot_of(scene, state, std::nullopt, {}, until(4));
+    EXPECT_LT(shot.events.size(), 2000u) << name_of(scene);
+    for (std::uint32_t i = 0; i + 1 < 5; ++i) {
+      EXPECT_GE(state_of(shot, i + 1).position.x - state_of(shot, i).position.x, diameter_m - 1e-14)
+          << name_of(scene);
+    }
+    expect_sound(scene, shot, name_of(scene));
+  }
+}
+
+}  // namespace
+}  // namespace breakshot::physics
