@@ -182,7 +182,8 @@ Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, R
   const BasicSegment<Real>& s = path.segment;
   const Real towards = -dot(s.velocity, nose.inward);
   const Real pull = -dot(s.acceleration, nose.inward);
-  if (towards <= 0 && pull <= 0) return never<Real>;
+  // A straight path that only slows down does not come back.
+  if (towards <= 0 && (pull <= 0 || !path.curved)) return never<Real>;
   const BasicVec2<Real> offset = s.position - nose.from;
   const Real gap = dot(offset, nose.inward) - radius;
   // What slows down covers no more than its first speed does; a thousandth is for rounding.

@@ -97,7 +97,7 @@ TEST_F(ReplayInTerminal, ObeysItsKeysAndGivesTheTerminalBack) {
 }
 
 TEST_F(ReplayInTerminal, PlaysByItselfToTheEndOfTheMatch) {
-  support::OnTerminal program([this] { replay({"--speed", "16", "--shot", "8"}); });
+  support::OnTerminal program([this] { replay({"--speed", "64", "--shot", "8"}); });
   ASSERT_TRUE(program.wait_until(shows("Shot 8 of ")));
   const double end_s = end_of_last_shot_s();
   char clock[32];
