@@ -55,8 +55,7 @@ TEST(Cushion, IsMetByABallThatComesFromBehindItsLineAndTurnsBack) {
   scene.cushions = FreeCushions{{{{0, 1}, {-1, 1}, Mirror{}}}, {}};
   // Beside the end of the cushion and beyond the line of contact; its spin turns it back.
   Ball curving = ball(0, {0.02, 0.99}, {-0.3, -0.4});
-  curving.spin = {200, 0, 0};
-  curving.spin.x = -200;
+  curving.spin = {-200, 0, 0};
   const Shot shot = shot_of(scene, balls({curving}));
   ASSERT_GE(all_of<BallCushion>(shot).size(), 1u);
   const double t = all_of<BallCushion>(shot)[0].time_s;
