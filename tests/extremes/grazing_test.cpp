@@ -127,11 +127,9 @@ TEST(ImpactParameter, SwitchesOnceAtTheEndOfACushion) {
   // Where a free cushion begins: foot exactly at its end, and each side of it.
   Scene scene = gas();
   scene.cushions = FreeCushions{{{{0, 1}, {-1, 1}, Mirror{}}}, {}};
-  double x = 0;
   int changes = 0;
   bool last = true;
-  for (const double step : {-1e-3, -1e-9, -1e-15, -5e-324, 0.0, 5e-324, 1e-15, 1e-9, 1e-3}) {
-    x = step;
+  for (const double x : {-1e-3, -1e-9, -1e-15, -5e-324, 0.0, 5e-324, 1e-15, 1e-9, 1e-3}) {
     const Shot shot = shot_of(scene, balls({ball(0, {x, 0}, {0, 1})}), std::nullopt, {}, until(2));
     const bool now = !all_of<BallCushion>(shot).empty();
     EXPECT_EQ(now, x <= 0) << x;

@@ -1,6 +1,4 @@
-// Balls parked on cushions, in corners, wedges and lanes, and rolled at the seams of jaws.
-#include "common/physics/angle.hpp"
-#include "common/physics/simulation.hpp"
+// Balls parked on cushions, trapped in corners and kept in lanes; dead contacts.
 #include "tests/extremes/extreme.hpp"
 
 namespace breakshot::physics {
@@ -129,97 +127,6 @@ TEST(CornerTrap, AllThreeTouchingAreStruckAtOnce) {
   }
 }
 
-// ---- Wedges
-
-/// Two cushions that meet in the origin at an angle of 2 `half`, open towards +x.
-FreeCushions wedge(double half, const CushionModel& model) {
-  const Vec2 d = direction_of(half);
-  return {{{{0, 0}, Vec2{d.x, -d.y} * 50, model}, {d * 50, {0, 0}, model}}, {}};
-}
-
-TEST(Wedge, OfMirrorsGivesTheBallBackAfterAsManyHitsAsUnfolded) {
-  for (const double half : {0.7, 0.3, 0.1, 0.01, 1e-3}) {
-    Scene scene = gas();
-    scene.cushions = wedge(half, Mirror{});
-    // The ball's centre lives in a wedge of the same angle, whose tip is R / sin(half) away.
-    const double tip = radius_m / std::sin(half);
-    const Vec2 from{tip + 0.5, 0.1 * half};
-    const Vec2 velocity{-1, 0.01 * half};
-    const Shot shot = shot_of(scene, balls({ball(0, from, velocity)}), std::nullopt, {}, until(2));
-    // Unfolded, the path is a straight line through images of the wedge, half a turn in all.
-    const auto hits = all_of<BallCushion>(shot).size();
-    EXPECT_LE(hits, static_cast<std::size_t>(3.141592653589793 / (2 * half)) + 1) << half;
-    EXPECT_GE(hits + 2, static_cast<std::size_t>(3.141592653589793 / (2 * half))) << half;
-    EXPECT_NEAR(length(state_of(shot, 0).velocity), length(velocity), 1e-12) << half;
-    EXPECT_GT(state_of(shot, 0).velocity.x, 0) << half;
-    EXPECT_LE(deepest_in_rails(scene, shot, 4), 1e-12) << half;
-  }
-}
-
-/// Two balls, one behind the other, rolled into a wedge.
-struct Squeeze {
-  Scene scene;
-  State state;
-
-  Squeeze(const Motion& motion, const CushionModel& nose, double half) {
-    scene = carpet(BallFriction{});
-    scene.bed.motion = motion;
-    scene.cushions = wedge(half, nose);
-    const double tip = radius_m / std::sin(half);
-    state = balls({moving(scene, 0, {tip + 0.3, 0}, {-3, 0.2 * half}),
-                   moving(scene, 1, {tip + 0.3 + 3 * diameter_m, 0}, {-6, -0.1 * half})});
-  }
-};
-
-TEST(Wedge, OfAnyModelSqueezesNoBallThrough) {
-  for (const Motion& motion : {motions()[1], motions()[2]}) {
-    for (const CushionModel& model : cushion_models()) {
-      for (const double half : {0.7, 0.3}) {
-        const Squeeze squeeze(motion, model, half);
-        const Shot shot = shot_of(squeeze.scene, squeeze.state);
-        const std::string where = name_of(squeeze.scene) + " model " +
-                                  std::to_string(model.index()) + " half " + std::to_string(half);
-        EXPECT_EQ(shot.stop, Stop::rest) << where;
-        EXPECT_LT(shot.events.size(), 20'000u) << where;
-        expect_sound(squeeze.scene, shot, where);
-        EXPECT_LE(deepest_in_rails(squeeze.scene, shot, 4), 1e-12) << where;
-      }
-    }
-  }
-}
-
-TEST(Wedge, OfAFewDegreesSqueezesNoBallThroughBeforeItStalls) {
-  // Between noses that nearly face one another a pass turns the velocity by the angle of the wedge
-  // alone: more passes than there may be, or more hops than events.
-  for (const Motion& motion : {motions()[1], motions()[2]}) {
-    for (const CushionModel& model : cushion_models()) {
-      for (const double half : {0.05, 0.005}) {
-        const Squeeze squeeze(motion, model, half);
-        Limits limits;
-        limits.max_events = 20'000;
-        const auto outcome = simulate(squeeze.scene, squeeze.state, std::nullopt, {}, limits);
-        const auto* stalled = std::get_if<Stalled>(&outcome);
-        const Shot& shot = stalled != nullptr ? stalled->so_far : std::get<Shot>(outcome);
-        const std::string where = name_of(squeeze.scene) + " model " +
-                                  std::to_string(model.index()) + " half " + std::to_string(half);
-        expect_sound(squeeze.scene, shot, where);
-        EXPECT_LE(deepest_in_rails(squeeze.scene, shot, 4), 1e-12) << where;
-      }
-    }
-  }
-}
-
-// A storm of events: follow presses the ball into both noses of a wedge of 34 degrees, where the
-// hops of the weak-contact rule become ever smaller; more than 100,000 events, where a push against
-// one cushion takes some hundreds.
-TEST(Wedge, DISABLED_OfDeadNosesStopsAPressedBallInAFewEvents) {
-  const Squeeze squeeze(motions()[2], CushionRestitution{0, 0.9, 1e-3}, 0.3);
-  Limits limits;
-  limits.max_events = 20'000;
-  const auto outcome = simulate(squeeze.scene, squeeze.state, std::nullopt, {}, limits);
-  EXPECT_TRUE(std::holds_alternative<Shot>(outcome));
-}
-
 // ---- A bed exactly one ball wide
 
 Scene lane(const Scene& wide) {
@@ -249,7 +156,9 @@ TEST(Lane, OfOneBallsWidthKeepsBallsInLineAndInOrder) {
 
 TEST(Lane, OfOneBallsWidthStandsTheGreatestNoise) {
   for (const Scene& wide : every_table()) {
-    if (presses_for_ever(wide)) continue;
+    // One cushion model for each model of balls, and no more: what stalls takes 10,000 passes.
+    const auto& cushions = std::get<RectangleCushions>(*wide.cushions);
+    if (presses_for_ever(wide) || cushions.model.index() != wide.ball_ball->index() + 1) continue;
     Scene scene = lane(wide);
     scene.perturbation = Perturbation{1, 1};
     State state;
@@ -274,7 +183,7 @@ TEST(DeadContacts, ComeToRest) {
             Stronge2000{e, 0.2, 0.0357, 1.8}};
         for (const CushionModel& nose : noses) {
           const Scene scene = table(motion, nose, pairs[static_cast<std::size_t>(kind)]);
-          for (const double gap : {0.0, 1e-9, rack_gap_m}) {
+          for (const double gap : {0.0, rack_gap_m}) {
             const Shot shot = shot_of(scene, racked(scene, gap), Strike{BallId{0}, {1, 0}, 8, {}});
             EXPECT_EQ(shot.stop, Stop::rest);
             expect_sound(
@@ -285,77 +194,6 @@ TEST(DeadContacts, ComeToRest) {
       }
     }
   }
-}
-
-// ---- Seams of jaws
-
-TEST(JawSeam, RolledAtExactlyNeverLetsABallThrough) {
-  const Scene scene = full_table();
-  const Rails rails = rails_of(scene);
-  for (const RailArc& arc : rails.arcs) {
-    for (const Vec2 seam : {arc.nose.from, arc.nose.to}) {
-      // The centre of a ball that touches both the straight nose and the rounded one.
-      const Vec2 place = arc.nose.centre + seam * (arc.nose.radius_m + radius_m);
-      for (int turn = -4; turn <= 4; ++turn) {
-        for (const double off : {0.0, 1e-17, -1e-17, 1e-15, -1e-15, 1e-12, -1e-12, 1e-6, -1e-6}) {
-          const Vec2 back = seam * std::cos(0.3 * turn) + perp(seam) * std::sin(0.3 * turn);
-          const Vec2 from = place + back * 0.06 + perp(back) * off;
-          const State state = balls({moving(scene, 0, from, back * -2)});
-          if (!faults_of(scene, state).empty()) continue;
-          const Shot shot = shot_of(scene, state);
-          EXPECT_LE(deepest_in_rails(scene, shot, 30), 1e-12)
-              << "jaw " << number(arc.id) << " turn " << turn << " off " << off;
-          expect_sound(scene, shot, "jaw");
-        }
-      }
-    }
-  }
-}
-
-TEST(JawSeam, ABallFromTheRoundedNoseThatCurvesBackMeetsTheCushion) {
-  // With follow off the rounded nose, aimed so that it curves back to the cushion beside it.
-  const Scene scene = full_table();
-  const Rails rails = rails_of(scene);
-  for (std::uint32_t seed = 0; seed < 2'000; ++seed) {
-    Chance chance(seed);
-    const RailArc& arc = rails.arcs[chance.below(rails.arcs.size())];
-    const Vec2 middle = arc.nose.from + arc.nose.to;
-    const Vec2 out = middle * (1 / length(middle));
-    const double turn = chance.between(-1.2, 1.2);
-    const Vec2 back = out * std::cos(turn) + perp(out) * std::sin(turn);
-    Ball spun = ball(0, arc.nose.centre + back * (arc.nose.radius_m + radius_m + 0.02),
-                     back * -chance.between(0.3, 3));
-    spun.spin = {chance.between(-300, 300), chance.between(-300, 300), chance.between(-100, 100)};
-    if (!faults_of(scene, balls({spun})).empty()) continue;
-    const Shot shot = shot_of(scene, balls({spun}));
-    EXPECT_LE(deepest_in_rails(scene, shot, 30), 1e-12) << "seed " << seed;
-    expect_sound(scene, shot, "seed " + std::to_string(seed));
-  }
-}
-
-TEST(Cushion, IsMetByABallThatComesFromBehindItsLineAndTurnsBack) {
-  Scene scene = carpet(Elastic{});
-  scene.cushions = FreeCushions{{{{0, 1}, {-1, 1}, Mirror{}}}, {}};
-  // Beside the end of the cushion and beyond the line of contact; its spin turns it back.
-  Ball curving = ball(0, {0.02, 0.99}, {-0.3, -0.4});
-  curving.spin = {200, 0, 0};
-  curving.spin.x = -200;
-  const Shot shot = shot_of(scene, balls({curving}));
-  ASSERT_GE(all_of<BallCushion>(shot).size(), 1u);
-  const double t = all_of<BallCushion>(shot)[0].time_s;
-  EXPECT_NEAR(state_of(shot, 0, t).position.y, 1 - radius_m, 1e-15);
-  EXPECT_LT(state_of(shot, 0, t).position.x, 0);
-}
-
-TEST(Cushion, IsMetByABallThatTouchesItsLineBesideItAndTurnsBack) {
-  Scene scene = carpet(Elastic{});
-  scene.cushions = FreeCushions{{{{0, 1}, {-1, 1}, Mirror{}}}, {}};
-  Ball curving = ball(0, {1e-9, 1 - radius_m}, {-0.3, -0.4});
-  curving.spin = {-200, 0, 0};
-  const Shot shot = shot_of(scene, balls({curving}));
-  ASSERT_GE(all_of<BallCushion>(shot).size(), 1u);
-  EXPECT_NEAR(state_of(shot, 0, all_of<BallCushion>(shot)[0].time_s).position.y, 1 - radius_m,
-              1e-15);
 }
 
 }  // namespace
