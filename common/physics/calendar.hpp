@@ -1,6 +1,5 @@
-// The table calendar: for every ball the earliest event that is known of it, no heap. After an
-// event the balls that changed are compared with all others, which is O(N) and fastest for few
-// balls.
+// The table calendar, for few balls: for every ball the earliest event that is known of it, no
+// heap. After an event the balls that changed are compared with all others, which is O(N).
 #pragma once
 
 #include <algorithm>
