@@ -1,6 +1,5 @@
-// The table calendar: for every ball the earliest event that is known of it, no heap. After an
-// event the balls that changed are compared with all others, which is O(N) and fastest for few
-// balls.
+// The table calendar, for few balls: for every ball the earliest event that is known of it, no
+// heap. After an event the balls that changed are compared with all others, which is O(N).
 #pragma once
 
 #include <algorithm>
@@ -113,13 +112,13 @@ class TableCalendar {
       if (fresh_[j] == Freshness::met || phase == Phase::pocketed) return;
       if (still && is_still(phase)) return;
       const Real t = field_.detector().time(paths_[std::min(i, j)], paths_[std::max(i, j)]);
-      if (t == never<Real>) return;
       agree(i, {t, Due::ball, j});
       agree(j, {t, Due::ball, i});
     });
   }
 
   void agree(std::uint32_t ball, const Appointment<Real>& meeting) {
+    if (meeting.time_s > field_.until(ball)) return;
     if (comes_first(meeting, next_[ball])) meet_first(ball, meeting);
   }
 

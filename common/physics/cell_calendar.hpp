@@ -213,8 +213,8 @@ class CellCalendar {
 
   /// Takes down what comes to the ball alone, if that is not after `until_s`.
   bool foresee(std::uint32_t ball, Real until_s) {
-    using Numbers = std::numeric_limits<Real>;
-    const Real after = until_s * (1 + 2 * Numbers::epsilon()) + Numbers::min();
+    using Range = std::numeric_limits<Real>;
+    const Real after = until_s * (1 + 2 * Range::epsilon()) + Range::min();
     const Appointment<Real> own = own_events_.next(paths_[ball], after);
     if (own.due == Due::nothing || own.time_s > until_s) return false;
     motions_[ball].until_s = own.time_s;

@@ -87,6 +87,9 @@ class Cells {
   /// Balls nearer to one another than this are in the same cell or in neighbouring ones.
   Real reach() const { return side_ - 2 * slack_; }
 
+  /// Lists of balls in memory.
+  std::size_t lists() const { return cells_.size(); }
+
   void remove(std::uint32_t ball) {
     Cell& cell = cells_[at_[ball].slot];
     const std::uint32_t count = cell.count--;

@@ -180,14 +180,14 @@ Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, R
                   Real until_s) {
   using std::sqrt;
   const BasicSegment<Real>& s = path.segment;
-  const Real towards = -dot(s.velocity, nose.inward);
-  const Real pull = -dot(s.acceleration, nose.inward);
-  // A straight path that only slows down does not come back.
-  if (towards <= 0 && (pull <= 0 || !path.curved)) return never<Real>;
   const BasicVec2<Real> offset = s.position - nose.from;
   const Real gap = dot(offset, nose.inward) - radius;
+  const Real towards = -dot(s.velocity, nose.inward);
+  const Real pull = -dot(s.acceleration, nose.inward);
   // What slows down covers no more than its first speed does; a thousandth is for rounding.
   if (pull <= 0 && Real(1.001) * towards * (until_s - s.start_s) < gap) return never<Real>;
+  // A straight path that only slows down does not come back.
+  if (towards <= 0 && (pull <= 0 || !path.curved)) return never<Real>;
   const auto within = [&](Real t) {
     const Real foot =
         dot(s.position + (s.velocity + s.acceleration * (t / 2)) * t - nose.from, nose.along);

@@ -4,7 +4,6 @@
 
 namespace breakshot::physics {
 
-template class Loop<double, TableCalendar>;
 template class Loop<double, CellCalendar>;
 template class BasicSimulation<double>;
 

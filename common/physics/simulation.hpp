@@ -19,8 +19,11 @@ namespace breakshot::physics {
 /// neither part nor let time pass.
 inline constexpr std::uint32_t max_sets_at_an_instant = 1'000;
 
-/// Up to this many balls the table calendar is the faster one. The outcome has the same bits.
-inline constexpr std::size_t most_balls_at_a_table = 64;
+/// Up to this many balls the table calendar is the faster one; the outcome has the same bits.
+/// Instructions an event of table and cells, gases of bench/gas_bench.cpp: 16 discs 6,600 and
+/// 6,600, 24 discs 8,100 and 7,000, 64 discs 15,600 and 7,500; breaks with the full model: 16 balls
+/// 6,700 and 9,300, 22 balls 8,000 and 8,600, 29 balls 8,500 and 8,600, 37 balls 9,300 and 8,000.
+inline constexpr std::size_t most_balls_at_a_table = 24;
 
 enum class Progress : std::uint8_t { paused, finished, stalled };
 

@@ -216,5 +216,117 @@ TEST(CellCalendar, IsChosenAboveTheCrossover) {
   EXPECT_EQ(shot, (outcome_of<AtATable>(gas.scene, gas.state, std::nullopt, {}, until(2)).shot));
 }
 
+// ---- What it is made of
+
+std::vector<Vec2> scattered(Chance& chance, std::size_t count, double extent) {
+  std::vector<Vec2> places(count);
+  for (Vec2& place : places) {
+    place = {chance.between(-extent, extent), chance.between(-extent, extent)};
+  }
+  return places;
+}
+
+template <class Present>
+Cells<double> cells_of(const std::vector<Vec2>& places, const Present& present) {
+  Cells<double> cells(places.size(), 0.05715);
+  cells.build(0, present, [&places](std::uint32_t ball) { return places[ball]; });
+  return cells;
+}
+
+TEST(Cells, FindEveryBallWithinReach) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Chance chance(seed);
+    const double extent = std::pow(10.0, chance.between(-2, 6));
+    std::vector<Vec2> places = scattered(chance, 2 + chance.below(200), extent);
+    for (Vec2& place : places) {
+      if (chance.coin()) place = place * 1e-3;  // a crowd, in chains of lists
+    }
+    const auto present = [](std::uint32_t ball) { return ball % 7 != 6; };
+    Cells<double> cells = cells_of(places, present);
+    if (places.size() > 3) cells.remove(3);
+    Gathered found;
+    for (std::uint32_t ball = 0; ball < places.size(); ++ball) {
+      if (!present(ball) || ball == 3) continue;
+      cells.find_beside(ball, found);
+      std::vector<std::uint32_t> all(found.begin(), found.end());
+      std::sort(all.begin(), all.end());
+      ASSERT_EQ(std::adjacent_find(all.begin(), all.end()), all.end()) << "seed " << seed;
+      for (std::uint32_t other = 0; other < places.size(); ++other) {
+        if (!present(other) || other == 3) continue;
+        if (length(places[other] - places[ball]) > cells.reach()) continue;
+        ASSERT_TRUE(std::binary_search(all.begin(), all.end(), other)) << "seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(Cells, TakeMemoryForBallsAndNotForTheArea) {
+  Chance chance(1);
+  for (const double extent : {1e-3, 1.0, 1e3, 1e6}) {
+    std::vector<Vec2> places = scattered(chance, 1000, extent);
+    EXPECT_LE(cells_of(places, [](std::uint32_t) { return true; }).lists(), 8'000u) << extent;
+    // All in one place but for two, so that the cells are small and the area is large.
+    for (std::size_t k = 2; k < places.size(); ++k) places[k] = places[k] * (1 / extent);
+    EXPECT_LE(cells_of(places, [](std::uint32_t) { return true; }).lists(), 8'000u) << extent;
+  }
+}
+
+TEST(Cells, AreCrossedOneAfterTheOther) {
+  // A ball thrown up an incline and back: wherever it crosses, it is in the cell beyond.
+  Chance chance(9);
+  std::vector<Vec2> places = scattered(chance, 1000, 1);
+  places[0] = {};
+  Cells<double> cells = cells_of(places, [](std::uint32_t) { return true; });
+  const Vec2 velocity{0.31, 2.0};
+  const Vec2 acceleration{0.01, -0.5};
+  double time = 0;
+  std::size_t crossings = 0;
+  double highest = 0;
+  while (time < 8 && crossings < 10'000) {
+    const Vec2 p = (velocity + acceleration * (time / 2)) * time;
+    highest = std::max(highest, p.y);
+    const Crossing<double> next =
+        cells.crossing(0, p, velocity + acceleration * time, acceleration);
+    ASSERT_GE(next.after_s, 0);
+    time += next.after_s;
+    cells.cross(0, next.side);
+    ++crossings;
+  }
+  EXPECT_GT(highest, 3.5);
+  // Up and down, and some three metres aside.
+  const auto sides = [&cells](double way) { return static_cast<std::size_t>(way / cells.side()); };
+  EXPECT_GE(crossings, sides(2 * highest + 2) - 3);
+  EXPECT_LE(crossings, sides(2 * highest + 4) + 3);
+}
+
+TEST(EventHeap, KnowsTheEarliestOfAll) {
+  for (const std::size_t count : {1u, 2u, 8u, 9u, 64u, 65u, 1000u}) {
+    Chance chance(count);
+    EventHeap<double> heap(count);
+    EXPECT_EQ(heap.earliest(), never<double>);
+    std::vector<double> times(count, never<double>);
+    for (int step = 0; step < 2000; ++step) {
+      const auto ball = static_cast<std::uint32_t>(chance.below(count));
+      // Few different times, so that many are at one.
+      const double time =
+          chance.below(5) == 0 ? never<double> : static_cast<double>(chance.below(20));
+      times[ball] = time;
+      heap.set(ball, time);
+      ASSERT_EQ(heap.time_of(ball), time);
+      const double earliest = *std::min_element(times.begin(), times.end());
+      ASSERT_EQ(heap.earliest(), earliest);
+      if (earliest == never<double>) continue;
+      std::vector<std::uint32_t> expected;
+      for (std::uint32_t k = 0; k < count; ++k) {
+        if (times[k] == earliest) expected.push_back(k);
+      }
+      std::vector<std::uint32_t> found;
+      heap.each_earliest([&found](std::uint32_t k) { found.push_back(k); });
+      ASSERT_EQ(found, expected);
+      ASSERT_EQ(heap.first(), expected.front());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace breakshot::physics
