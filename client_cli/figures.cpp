@@ -12,7 +12,7 @@ namespace {
 constexpr double break_speed_m_s = 8;
 /// The break of figures 3 and 4 comes a little from the side, as players break: dead centre, a rack
 /// with gaps passes nearly all of the energy to its two back corners.
-constexpr double break_angle_rad = 2 * physics::pi / 180;
+constexpr double break_angle_rad = 3 * physics::pi / 180;
 /// Any seed would do; this one is the same for everybody.
 constexpr physics::Seed figure_seed{};
 

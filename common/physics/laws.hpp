@@ -35,7 +35,7 @@ struct Bounce {
 /// ever the same tiny hop.
 /// "Hardly" is this share of that speed: without spin, and with it, where pushes last.
 inline constexpr double resting_share = 1e-3;
-inline constexpr double resting_share_with_spin = 0.1;
+inline constexpr double resting_share_with_spin = 0.5;
 
 /// What happens across the normal of a contact.
 enum class Touch : std::uint8_t {

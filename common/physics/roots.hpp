@@ -68,20 +68,22 @@ template <class Real, class Value>
 Real bracketed_root(Real low, Real high, Real guess, bool rising, const Value& value) {
   // Bisection alone halves the bracket to the last bit within this many steps for every scalar.
   constexpr int max_steps = 2 * std::numeric_limits<Real>::digits + 64;
+  std::optional<Real> settled;
   Real t = guess > low && guess < high ? guess : low + (high - low) / 2;
   for (int step = 0; step < max_steps; ++step) {
     const auto [f, slope] = value(t);
     if (f == 0) return t;
     ((f < 0) == rising ? low : high) = t;
     Real next = t - f / slope;
-    if (next == t) return t;
+    if (next == t) settled = t;
     if (!(next > low && next < high)) next = low + (high - low) / 2;
     if (!(next > low && next < high)) return next;
     const Real moved = next > t ? next - t : t - next;
     t = next;
     if (moved <= std::numeric_limits<Real>::epsilon() * t) return t;
   }
-  return t;
+  // A bracket too wide to be halved to the last bit: Newton's method had settled before.
+  return settled.value_or(t);
 }
 
 /// Walks the monotone pieces of the squared distance on (0, end] and returns the first root of

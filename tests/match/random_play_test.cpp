@@ -119,7 +119,7 @@ TEST(RandomPlay, KeepsEveryEightBallMatchPlayable) {
     if (played.match.status.end == MatchEnd::race_won) ++won_at_the_table;
     refused += played.refused;
   }
-  EXPECT_GT(won_at_the_table, 10u) << "random play should reach the ends of matches";
+  EXPECT_GT(won_at_the_table, 5u) << "random play should reach the ends of matches";
   EXPECT_GT(refused, 1'000u) << "and try what is not allowed";
 }
 

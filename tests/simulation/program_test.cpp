@@ -119,7 +119,7 @@ TEST(Program, StopsCleanlyOnEitherSignal) {
   for (const int signal : {SIGTERM, SIGINT}) {
     ServerProcess server(BREAKSHOT_SERVER_PROGRAM, scratch.path() / "data");
     support::LineClient client(server.port());
-    client.say(lobby::Hello{1, "Ada", std::nullopt});
+    client.say(lobby::Hello{lobby::protocol_version, "Ada", std::nullopt});
     client.hear_a<lobby::Welcome>();
     server.signal(signal);
     EXPECT_EQ(client.hear_a<lobby::Goodbye>().reason, lobby::GoodbyeReason::stopping);
@@ -138,7 +138,7 @@ TEST(Program, StopsAlthoughClientsStay) {
   const auto stopped = std::async(std::launch::async, [&] { shell.run(); });
   support::LineClient stranger(shell.port());
   support::LineClient guest(shell.port());
-  guest.say(lobby::Hello{1, "Ada", std::nullopt});
+  guest.say(lobby::Hello{lobby::protocol_version, "Ada", std::nullopt});
   guest.hear_a<lobby::Welcome>();
   ::kill(::getpid(), SIGTERM);
   EXPECT_EQ(guest.hear_a<lobby::Goodbye>().reason, lobby::GoodbyeReason::stopping);
