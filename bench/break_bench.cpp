@@ -37,9 +37,7 @@ void breaks(benchmark::State& state, const char* scene) {
   state.counters["events_a_shot"] = events / static_cast<double>(times.size());
   state.counters["event_us"] = 1e6 * total / events;
 }
-BENCHMARK_CAPTURE(breaks, straight, "break_8ft.json")
-    ->Unit(benchmark::kMillisecond)
-    ->Iterations(5);
+BENCHMARK_CAPTURE(breaks, straight, "break_8ft.json")->Unit(benchmark::kMillisecond)->Iterations(5);
 /// Spin, throw, cushions after Han, jaws: ten thousand breaks.
 BENCHMARK_CAPTURE(breaks, full_model, "break_8ft_full.json")
     ->Unit(benchmark::kMillisecond)
@@ -54,7 +52,8 @@ struct Query {
 };
 
 physics::Path<double> path_of(const physics::Laws<double>& laws, const physics::Segment& s) {
-  physics::Path<double> path = laws.cloth.path_from(s.ball, s.start_s, s.position, {s.velocity, s.spin});
+  physics::Path<double> path =
+      laws.cloth.path_from(s.ball, s.start_s, s.position, {s.velocity, s.spin});
   path.segment = s;
   return path;
 }

@@ -5,10 +5,9 @@
 namespace breakshot::client {
 
 const std::vector<AddCommand>& commands() {
-  static const std::vector<AddCommand> all = {add_play,   add_watch,  add_list,
-                                              add_bot,    add_export, add_replay,
-                                              add_render, add_verify, add_simulate,
-                                              add_audit};
+  static const std::vector<AddCommand> all = {add_play,     add_watch,  add_list,   add_bot,
+                                              add_export,   add_replay, add_render, add_verify,
+                                              add_simulate, add_audit};
   return all;
 }
 

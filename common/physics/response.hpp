@@ -76,8 +76,8 @@ class Response {
     });
   }
 
-  /// Whether the second derivative of the gap is negative. Without spin a ball that leaves a cushion
-  /// only slows down: it does not come back, however its deceleration points.
+  /// Whether the second derivative of the gap is negative. Without spin a ball that leaves a
+  /// cushion only slows down: it does not come back, however its deceleration points.
   bool closes(const std::vector<Body<Real>>& bodies, const Contact<Real>& c) const {
     const Vec pull = laws_.cloth.acceleration_of(bodies[c.a].moving());
     if (c.cushion) return laws_.cloth.spins() && dot(pull, c.normal) > 0;

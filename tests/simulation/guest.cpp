@@ -10,7 +10,8 @@ namespace breakshot::simulation {
 void Guest::connect(std::uint16_t port) {
   line_.reset();
   line_.emplace(port);
-  const auto welcome = ask_for<lobby::Welcome>(lobby::Hello{lobby::protocol_version, name_, token_});
+  const auto welcome =
+      ask_for<lobby::Welcome>(lobby::Hello{lobby::protocol_version, name_, token_});
   if (!token_) token_ = welcome.token.value();
   if (!news_) return;
   if (news_->you) {
