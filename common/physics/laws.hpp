@@ -2,6 +2,7 @@
 // the simulation, one value for each phenomenon that is present.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -30,9 +31,9 @@ struct Bounce {
 
 /// A contact that touches, hardly parts and would close again under the accelerations of its balls
 /// rests on them: it separates at a speed of its own, which makes a bounded number of hops of a
-/// push. With e < 1 that is elastic_below. Elastic contacts have none; where spin can push one ball
-/// against another for long they take the default of the others: else a push is an endless run of
-/// ever the same tiny hop.
+/// push. With e < 1 that is elastic_below. Elastic contacts have none; where spin or friction can
+/// push one ball against another for long they take the default of the others: else a push is an
+/// endless run of ever the same tiny hop.
 /// "Hardly" is this share of that speed: without spin, and with it, where pushes last.
 inline constexpr double resting_share = 1e-3;
 inline constexpr double resting_share_with_spin = 0.5;
@@ -106,6 +107,12 @@ struct Laws {
   bool is_inside(BasicVec2<Real> position, Real margin = 0) const {
     return inside && position.x <= inside->x - margin && position.x >= margin - inside->x &&
            position.y <= inside->y - margin && position.y >= margin - inside->y;
+  }
+  /// Whether any contact does something across its normal.
+  bool rubs() const {
+    return (ball_ball && ball_ball->touch != Touch::smooth) ||
+           std::any_of(responses.begin(), responses.end(),
+                       [](const NoseResponse<Real>& nose) { return nose.touch != Touch::smooth; });
   }
   /// The speed at which a resting contact separates; 0 if it never rests.
   Real hop_of(const Bounce<Real>& bounce) const {
@@ -246,7 +253,7 @@ Laws<Real>::Laws(const Scene& scene)
     half_bed = {Real(*scene.bed.length_m) / 2, Real(*scene.bed.width_m) / 2};
   }
   if (scene.ball_ball) ball_ball = std::visit(PairReader<Real>{scene}, *scene.ball_ball);
-  if (cloth.spins()) elastic_hop_m_s = Real(default_elastic_below_m_s);
+  if (cloth.spins() || rubs()) elastic_hop_m_s = Real(default_elastic_below_m_s);
   resting_share = Real(cloth.spins() ? resting_share_with_spin : physics::resting_share);
   if (scene.perturbation) {
     perturb_balls = scene.perturbation->ball;
