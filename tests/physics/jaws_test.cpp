@@ -13,8 +13,6 @@ namespace {
 
 using namespace support;
 
-constexpr double radius = 0.028575;
-
 Scene jawed() {
   Scene scene = table(Spinning{}, Han2005{}, BallFriction{});
   scene.pockets = JawedPockets{};
