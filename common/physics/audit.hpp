@@ -10,8 +10,9 @@ namespace breakshot::physics {
 struct Audit {
   double energy_start_J = 0;  ///< kinetic, just after the strike
   double energy_end_J = 0;
-  /// The greatest rise of the kinetic energy at one instant, without what the weak-contact rule of
-  /// contacts with e < 1 allows: m elastic_below^2 / 4 where a pair that rests separates.
+  /// The greatest rise of the kinetic energy at one instant, without what contacts that rest may
+  /// give when they separate at h, the speed of their hop: m h^2 / 4 a pair, m h^2 / 2 at a
+  /// cushion.
   double worst_rise_J = 0;
   /// The deepest overlap of two balls, or of a ball and a cushion, at any instant with events, m.
   double worst_penetration_m = 0;

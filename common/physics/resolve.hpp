@@ -253,10 +253,10 @@ class ContactSet {
     }
   }
 
-  /// Contacts with e < 1 that touch, hardly part and would close again under their accelerations
-  /// separate at the speed below which such contacts are elastic: a push becomes a bounded number
-  /// of hops. And a predicted contact of which rounding has left no approach is logged all the
-  /// same. False if there is neither.
+  /// Contacts that rest (`Laws::hop_of`): that touch, hardly part and would close again under their
+  /// accelerations. They separate at their hop's speed: a push becomes a bounded number of hops.
+  /// And a predicted contact of which rounding has left no approach is logged all the same. False
+  /// if there is neither.
   bool push_apart(std::vector<Body<Real>>& bodies, Real time_s) {
     bool any = false;
     for (Contact<Real>& contact : contacts_) {

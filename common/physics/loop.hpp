@@ -1,0 +1,346 @@
+// From one instant with events to the next, for any scalar and either calendar. However a caller
+// slices the advance, the shot has the same bits: nothing is written between events.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "common/physics/appointment.hpp"
+#include "common/physics/event.hpp"
+#include "common/physics/resolve.hpp"
+#include "common/physics/simulate.hpp"
+#include "common/physics/touching.hpp"
+
+namespace breakshot::physics {
+
+/// Sets that may follow one another at one instant, beyond which the shot is stalled: contacts that
+/// neither part nor let time pass.
+inline constexpr std::uint32_t max_sets_at_an_instant = 1'000;
+
+enum class Progress : std::uint8_t { paused, finished, stalled };
+
+/// The loop with one of the calendars.
+template <class Real, template <class> class Calendar>
+class Loop {
+ public:
+  Loop(const Scene& scene, const State& state, const std::optional<Strike>& strike,
+       const ShotSeed& seed, const Limits& limits)
+      : laws_(scene),
+        limits_(limits),
+        calendar_(laws_, top_speed_of(state, strike), state.balls.size()),
+        contacts_(laws_, seed) {
+    place(state, strike);
+  }
+
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+
+  Progress advance_to(Real time_s) {
+    const Real horizon = limits_.horizon_s ? Real(*limits_.horizon_s) : never<Real>;
+    while (progress_ == Progress::paused) {
+      const Real next = calendar_.earliest(smaller(time_s, horizon));
+      if (next > horizon || next == never<Real>) {
+        if (time_s < horizon && (calendar_.moving() || next < never<Real>)) return progress_;
+        finish(horizon);
+      } else if (next > time_s) {
+        return progress_;
+      } else if (shot_.events.size() >= limits_.max_events) {
+        stall(StallCause::events);
+      } else {
+        process(next);
+      }
+    }
+    return progress_;
+  }
+
+  const BasicShot<Real>& shot() const { return shot_; }
+
+  std::variant<BasicShot<Real>, BasicStalled<Real>> take() && {
+    if (progress_ != Progress::stalled) return std::move(shot_);
+    std::sort(stalled_.begin(), stalled_.end());
+    return BasicStalled<Real>{cause_, std::move(stalled_), std::move(shot_)};
+  }
+
+ private:
+  using Vec = BasicVec2<Real>;
+
+  /// No ball can ever be faster than all energy in one ball makes it, give or take weak contacts.
+  static Real top_speed_of(const State& state, const std::optional<Strike>& strike) {
+    Real squares = 1;
+    for (const Ball& ball : state.balls) {
+      const Vec velocity{Real(ball.velocity.x), Real(ball.velocity.y)};
+      squares += dot(velocity, velocity);
+    }
+    if (strike) squares += Real(strike->speed_m_s) * Real(strike->speed_m_s);
+    using std::sqrt;
+    return sqrt(squares);
+  }
+
+  void place(const State& state, const std::optional<Strike>& strike) {
+    std::vector<Ball> balls = state.balls;
+    std::sort(balls.begin(), balls.end(), [](const Ball& a, const Ball& b) { return a.id < b.id; });
+    shot_.segments.reserve(8 * balls.size() + 64);
+    shot_.events.reserve(256);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      Moving<Real> moving{vec_of<Real>(balls[i].velocity),
+                          {Real(balls[i].spin.x), Real(balls[i].spin.y), Real(balls[i].spin.z)}};
+      if (strike && strike->ball == balls[i].id) {
+        moving = struck(*strike);
+        shot_.events.push_back(BasicStruck<Real>{Real(0), strike->ball});
+      }
+      const Path<Real> path =
+          laws_.cloth.path_from(balls[i].id, Real(0), vec_of<Real>(balls[i].position), moving);
+      Body<Real> body;
+      body.id = balls[i].id;
+      bodies_.push_back(body);
+      calendar_.set(static_cast<std::uint32_t>(i), path);
+      shot_.segments.push_back(path.segment);
+    }
+    calendar_.update();
+  }
+
+  /// The stroke of a level cue as an impulse at the tip's place on the ball: what speed it gives,
+  /// it turns the ball by, times 5/2 of the offset.
+  Moving<Real> struck(const Strike& strike) const {
+    const Vec wanted = vec_of<Real>(strike.direction);
+    const Vec direction = wanted / length(wanted);
+    const Real speed = Real(strike.speed_m_s);
+    const Real turning = 5 * speed / (2 * laws_.radius);
+    const Vec follow = perp(direction) * (turning * Real(strike.tip.height));
+    return {direction * speed, {follow.x, follow.y, -turning * Real(strike.tip.side)}};
+  }
+
+  /// The ball as it is now.
+  Body<Real>& at_hand(std::uint32_t ball) {
+    Body<Real>& body = bodies_[ball];
+    if (body.instant != instant_) {
+      body.instant = instant_;
+      body.position = position_at(calendar_.path(ball).segment, now_s_);
+      body.velocity = velocity_at(calendar_.path(ball).segment, now_s_);
+      body.spin = spin_at(calendar_.path(ball).segment, now_s_);
+    }
+    return body;
+  }
+
+  void finish(Real horizon) {
+    progress_ = Progress::finished;
+    const bool still = !calendar_.moving();
+    shot_.stop = still ? Stop::rest : Stop::horizon;
+    shot_.end_s = still ? now_s_ : horizon;
+  }
+
+  void stall(StallCause cause) {
+    progress_ = Progress::stalled;
+    cause_ = cause;
+    shot_.end_s = now_s_;
+    if (cause == StallCause::events) stalled_ = last_balls_;
+  }
+
+  /// Everything that happens at one instant: phases that end, then contacts as a set, then pockets.
+  void process(Real time_s) {
+    begin_instant(time_s);
+    calendar_.each_due(time_s, [this](std::uint32_t ball, const Appointment<Real>& appointment) {
+      take_up(ball, appointment);
+    });
+    const bool peace =
+        contacts_.settle(bodies_, time_s, [this](std::uint32_t ball) { add_touching(ball); });
+    for (const BasicEvent<Real>& event : contacts_.events()) shot_.events.push_back(event);
+    for (const std::uint32_t ball : contacts_.balls()) touch(ball);
+    drop_balls();
+    last_balls_.clear();
+    for (const std::uint32_t ball : touched_) last_balls_.push_back(bodies_[ball].id);
+    end_instant();
+    if (!peace || sets_here_ >= max_sets_at_an_instant) {
+      stalled_ = last_balls_;
+      stall(peace ? StallCause::instant : StallCause::passes);
+    }
+  }
+
+  void begin_instant(Real time_s) {
+    const bool again = time_s == now_s_ && sets_here_ > 0;
+    sets_here_ = again ? sets_here_ + 1 : 1;
+    if (!again) {
+      first_event_ = time_s == 0 ? 0 : shot_.events.size();
+      first_segment_ = time_s == 0 ? 0 : shot_.segments.size();
+    }
+    now_s_ = time_s;
+    ++instant_;
+    calendar_.move_to(time_s);
+    contacts_.begin(again ? contacts_.next_pass() : 0);
+    touched_.clear();
+    ended_.clear();
+    at_pockets_.clear();
+  }
+
+  /// An appointment has come.
+  void take_up(std::uint32_t ball, const Appointment<Real>& appointment) {
+    at_hand(ball);
+    if (appointment.due == Due::ball) {
+      at_hand(appointment.with);
+      contacts_.add_balls(bodies_, ball, appointment.with, true);
+    } else if (appointment.due == Due::cushion) {
+      meet_cushion(ball, appointment.with, true);
+    } else if (appointment.due == Due::hole) {
+      const Drop<Real>& drop = laws_.drops[appointment.with];
+      at_pockets_.push_back(
+          {ball, bodies_[ball].position - drop.centre.segment.position, drop.pocket});
+      touch(ball);
+    } else {
+      end_phase(ball);
+    }
+  }
+
+  void end_phase(std::uint32_t ball) {
+    const Path<Real> path = laws_.cloth.path_after(calendar_.path(ball));
+    const BallId id = bodies_[ball].id;
+    bodies_[ball].velocity = path.segment.velocity;
+    bodies_[ball].spin = path.segment.spin;
+    ended_.push_back({ball, path});
+    if (path.segment.phase == Phase::rest) {
+      shot_.events.push_back(BasicRests<Real>{now_s_, id});
+    } else if (path.segment.phase == Phase::spin) {
+      shot_.events.push_back(BasicSpins<Real>{now_s_, id});
+    } else {
+      shot_.events.push_back(BasicRolls<Real>{now_s_, id});
+    }
+    touch(ball);
+  }
+
+  /// `cushion` counts the arcs after the noses.
+  void meet_cushion(std::uint32_t ball, std::uint32_t cushion, bool predicted) {
+    const auto pocket = laws_.pocket_at(cushion, bodies_[ball].position);
+    if (pocket) {
+      at_pockets_.push_back({ball, laws_.noses[cushion].inward, *pocket});
+      touch(ball);
+    } else {
+      contacts_.add_cushion(bodies_, ball, cushion, predicted);
+    }
+  }
+
+  /// Adds all contacts of a ball that touch at this instant. Most gaps are far beyond the bound of
+  /// any tolerance, and are not looked at twice.
+  void add_touching(std::uint32_t ball) {
+    const Body<Real>& body = bodies_[ball];
+    const Real coordinate = larger(laws_.diameter, largest_coordinate(body.position));
+    const Real doubt = touch_gap_bound(2 * coordinate, 2 * calendar_.top_speed(), now_s_);
+    const Real reach = laws_.diameter + 2 * doubt;
+    if (laws_.ball_ball) {
+      calendar_.each_near(ball, reach, [&](std::uint32_t other) {
+        if (contacts_.has(ball, other) || !bodies_[other].present) return;
+        if (balls_touch(body, at_hand(other), laws_.diameter, now_s_)) {
+          contacts_.add_balls(bodies_, ball, other, false);
+        }
+      });
+    }
+    if (laws_.is_inside(body.position, doubt)) return;
+    std::uint32_t cushion = 0;
+    for (const Nose<Real>& nose : laws_.noses) {
+      const Real gap = dot(body.position - nose.from, nose.inward) - laws_.radius;
+      if (gap <= doubt &&
+          nose_touches(body, nose, gap, laws_.radius, calendar_.top_speed(), now_s_))
+        meet_cushion(ball, cushion, false);
+      ++cushion;
+    }
+    for (const Arc<Real>& arc : laws_.arcs) {
+      if (arc_touches(body, arc, now_s_)) meet_cushion(ball, cushion, false);
+      ++cushion;
+    }
+  }
+
+  /// Balls that still move outwards at a pocket's mouth when the contacts are resolved drop.
+  void drop_balls() {
+    const std::uint32_t pass = contacts_.next_pass() > 0 ? contacts_.next_pass() - 1 : 0;
+    for (const AtPocket& at : at_pockets_) {
+      const bool out = dot(bodies_[at.ball].velocity, at.inward) < 0;
+      if (!bodies_[at.ball].present || !out) continue;
+      shot_.events.push_back(BasicBallPocket<Real>{now_s_, pass, bodies_[at.ball].id, at.pocket});
+      bodies_[at.ball].moving() = {};
+      bodies_[at.ball].present = false;
+    }
+  }
+
+  void touch(std::uint32_t ball) {
+    if (bodies_[ball].touched == instant_) return;
+    bodies_[ball].touched = instant_;
+    touched_.push_back(ball);
+  }
+
+  /// Gives every ball of the instant its new path and puts events and segments in order.
+  void end_instant() {
+    const std::size_t written = shot_.segments.size();
+    for (const std::uint32_t ball : touched_) {
+      const Path<Real> path = path_of(ball);
+      calendar_.set(ball, path);
+      write(path.segment, written);
+    }
+    calendar_.update();
+    std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_), shot_.events.end(),
+              comes_before<Real>);
+    if (shot_.segments.size() == written) return;
+    std::sort(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_),
+              shot_.segments.end(), [](const auto& a, const auto& b) { return a.ball < b.ball; });
+  }
+
+  Path<Real> path_of(std::uint32_t ball) const {
+    const Body<Real>& body = bodies_[ball];
+    if (!body.present) {
+      Path<Real> dropped;
+      dropped.segment = {body.id, Phase::pocketed, now_s_, body.position, {}, {}, {}, {}};
+      return dropped;
+    }
+    // They were taken up in ascending order.
+    const auto found = std::lower_bound(ended_.begin(), ended_.end(), ball,
+                                        [](const auto& e, std::uint32_t b) { return e.first < b; });
+    if (found != ended_.end() && found->first == ball &&
+        found->second.segment.velocity == body.velocity &&
+        found->second.segment.spin == body.spin) {
+      return found->second;
+    }
+    return laws_.cloth.path_from(body.id, now_s_, body.position, body.moving());
+  }
+
+  /// One segment a ball and instant: a second set at the same instant replaces those of the first.
+  /// Those of earlier sets are in order of their balls, up to `written`.
+  void write(const BasicSegment<Real>& segment, std::size_t written) {
+    const auto end = shot_.segments.begin() + static_cast<std::ptrdiff_t>(written);
+    const auto known =
+        std::lower_bound(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_), end,
+                         segment, [](const auto& a, const auto& b) { return a.ball < b.ball; });
+    if (known != end && known->ball == segment.ball) {
+      *known = segment;
+    } else {
+      shot_.segments.push_back(segment);
+    }
+  }
+
+  /// A ball that is at a pocket: it drops unless it turns back.
+  struct AtPocket {
+    std::uint32_t ball;
+    Vec inward;  ///< back to the table, any length
+    PocketId pocket;
+  };
+
+  Laws<Real> laws_;
+  Limits limits_;
+  Calendar<Real> calendar_;
+  ContactSet<Real> contacts_;
+  std::vector<Body<Real>> bodies_;
+  BasicShot<Real> shot_;
+  Progress progress_ = Progress::paused;
+  Real now_s_{};
+  std::uint64_t instant_ = 0;  ///< counts the sets
+  // Of the present instant.
+  std::uint32_t sets_here_ = 0;
+  std::size_t first_event_ = 0;
+  std::size_t first_segment_ = 0;
+  std::vector<std::uint32_t> touched_;
+  std::vector<std::pair<std::uint32_t, Path<Real>>> ended_;
+  std::vector<AtPocket> at_pockets_;
+  std::vector<BallId> last_balls_;
+  StallCause cause_ = StallCause::events;
+  std::vector<BallId> stalled_;
+};
+
+}  // namespace breakshot::physics
