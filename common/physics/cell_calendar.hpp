@@ -11,6 +11,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -159,7 +160,7 @@ class CellCalendar {
   static constexpr std::size_t crossings_a_change = 16;
 
   /// What is looked at of a ball whenever a neighbour asks: one cache line.
-  struct alignas(8 * sizeof(Real)) Motion {
+  struct alignas(std::bit_ceil(8 * sizeof(Real))) Motion {
     Real start_s{};
     Vec position;
     Vec velocity;

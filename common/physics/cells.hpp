@@ -68,7 +68,7 @@ class Cells {
     using std::sqrt;
     const Real coordinate = larger(largest_coordinate(low), largest_coordinate(high));
     const Real least = larger(larger(least_side, diameter_ * Real(least_diameters)),
-                              coordinate / reliable_sides<Real>);
+                              coordinate / Real(reliable_sides));
     origin_ = low;
     const Vec extent{larger(high.x - low.x, least), larger(high.y - low.y, least)};
     const Real even = sqrt(extent.x) * sqrt(extent.y) *
@@ -147,7 +147,7 @@ class Cells {
   /// Whether positions of this size, with a doubt of `doubt` on each, are known well enough for
   /// these cells.
   bool resolves(Vec position, Real doubt) const {
-    return largest_coordinate(position) <= side_ * reliable_sides<Real> && doubt <= slack_ / 8;
+    return largest_coordinate(position) <= side_ * Real(reliable_sides) && doubt <= slack_ / 8;
   }
 
  private:
@@ -158,9 +158,8 @@ class Cells {
   /// Balls that share a cell with a ball, itself among them: evenly spread ones would be 2.5.
   static constexpr double most_crowded = 6;
   /// Coordinates up to so many sides are known to a small part of a side.
-  template <class Number>
-  static constexpr Number reliable_sides =
-      Number(std::uint64_t{1} << std::min(std::numeric_limits<Number>::digits - 13, 48));
+  static constexpr std::uint64_t reliable_sides =
+      std::uint64_t{1} << std::min(std::numeric_limits<Real>::digits - 13, 48);
 
   struct Place {
     std::int64_t column = 0;

@@ -35,7 +35,7 @@ struct Path {
 template <class Real>
 class Cloth {
  public:
-  explicit Cloth(const Scene& scene) : radius_(scene.ball.radius_m) {
+  explicit Cloth(const Scene& scene) : radius_(Real(scene.ball.radius_m)) {
     const Real gravity = scene.gravity_m_s2 ? Real(*scene.gravity_m_s2) : Real(0);
     if (const auto* straight = std::get_if<Straight>(&scene.bed.motion)) {
       friction_ = true;

@@ -224,7 +224,7 @@ Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, R
 /// The sector of an arc has this much to spare on both sides, in radii: what rounding may open
 /// between a rounded nose and the straight ones beside it.
 template <class Real>
-inline constexpr Real sector_slack = 64 * std::numeric_limits<Real>::epsilon();
+inline const Real sector_slack = 64 * std::numeric_limits<Real>::epsilon();
 
 /// Whether a ball with its centre at `position` is in front of the arc.
 template <class Real>

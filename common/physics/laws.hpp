@@ -228,7 +228,7 @@ Path<Real> fixed_at(Vec2 place) {
 
 template <class Real>
 Laws<Real>::Laws(const Scene& scene)
-    : radius(scene.ball.radius_m), diameter(2 * Real(scene.ball.radius_m)), cloth(scene) {
+    : radius(Real(scene.ball.radius_m)), diameter(2 * Real(scene.ball.radius_m)), cloth(scene) {
   using std::sqrt;
   const Rails rails = rails_of(scene);
   for (const RailSegment& rail : rails.segments) {

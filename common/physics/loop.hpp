@@ -55,6 +55,9 @@ class Loop {
     return progress_;
   }
 
+  /// For calendars that are to be told more before the first advance.
+  Calendar<Real>& calendar() { return calendar_; }
+
   const BasicShot<Real>& shot() const { return shot_; }
 
   std::variant<BasicShot<Real>, BasicStalled<Real>> take() && {

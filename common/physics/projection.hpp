@@ -49,7 +49,7 @@ class NonNegativeImpulses {
   /// The contact outside the active set that approaches most, or size_ when none does.
   std::size_t most_approaching() const {
     Real scale = 0;
-    for (const Real rate : rates_) scale = rate < -scale ? -rate : scale;
+    for (const Real& rate : rates_) scale = rate < -scale ? -rate : scale;
     Real least = -64 * std::numeric_limits<Real>::epsilon() * scale;
     std::size_t worst = size_;
     for (std::size_t k = 0; k < size_; ++k) {
@@ -84,14 +84,14 @@ class NonNegativeImpulses {
   }
 
   bool none_pulls(const std::vector<Real>& wanted) const {
-    for (const Real impulse : wanted) {
+    for (const Real& impulse : wanted) {
       if (impulse <= 0) return false;
     }
     return true;
   }
 
   void drop_pulling(const std::vector<Real>& wanted) {
-    constexpr Real negligible = 16 * std::numeric_limits<Real>::epsilon();
+    const Real negligible = 16 * std::numeric_limits<Real>::epsilon();
     Real largest = 0;
     for (const std::size_t k : active_) largest = impulses_[k] > largest ? impulses_[k] : largest;
     std::vector<std::size_t> kept;

@@ -69,15 +69,15 @@ void run_phase(Shear<Real>& shear, Real approach, Real share, int from, Real fri
   const SineCosine<Real> normal = portable_sine_cosine<Real>(angle);
   const SineCosine<Real> turn = portable_sine_cosine<Real>(angle * share * ratio);
   const Real hold = friction * approach * 7 / (2 * ratio * ratio);
-  Real sine = 1 - from;
-  Real cosine = from;
+  Real sine = Real(1 - from);
+  Real cosine = Real(from);
   for (int step = 1; step <= steps; ++step) {
     const Real last = cosine;
     cosine = last * normal.cosine - sine * normal.sine;
     sine = sine * normal.cosine + last * normal.sine;
     if (step == steps) {
-      cosine = from - 1;
-      sine = from;
+      cosine = Real(from - 1);
+      sine = Real(from);
     }
     shear.advance(turn, ratio, hold * not_negative(sine),
                   friction * approach * share * (last - cosine));
