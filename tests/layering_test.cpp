@@ -104,7 +104,8 @@ const std::vector<std::pair<std::string, std::string>>& libraries() {
 
 /// The rooms whose results may depend on nothing but their arguments.
 const Names& deterministic_rooms() {
-  static const Names rooms = {"common/physics", "common/rules", "common/match", "common/record"};
+  static const Names rooms = {"common/physics", "common/study", "common/rules", "common/match",
+                              "common/record"};
   return rooms;
 }
 

@@ -1,4 +1,5 @@
 // `breakshot simulate FILE`: runs one scenario offline and prints what happened.
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -7,8 +8,8 @@
 #include "client_cli/commands/commands.hpp"
 #include "client_cli/simulation_report.hpp"
 #include "common/physics/audit.hpp"
-#include "common/physics/simulation.hpp"
 #include "common/physics/validation.hpp"
+#include "common/study/simulation.hpp"
 #include "common/wire/scenario.hpp"
 
 namespace breakshot::client {
@@ -36,16 +37,34 @@ std::string text_of_file(const std::string& name) {
   return text;
 }
 
-void check(const Options& options) {
-  if (options.method != "exact") {
-    throw CommandError("--method: " + options.method + ": this build knows exact", exit_usage);
-  }
-  if (options.scalar != "double") {
-    throw CommandError("--scalar: " + options.scalar + ": this build knows double", exit_usage);
-  }
-  if (options.step_s) {
+study::Method method_of(const Options& options) {
+  if (options.method == "literal") return study::Literal{options.step_s};
+  if (options.method == "exact") {
+    if (!options.step_s) return study::Exact{};
     throw CommandError("--dt: the exact method has no time step", exit_usage);
   }
+  if (options.method != "fixed" && options.method != "swept") {
+    throw CommandError(
+        "--method: " + options.method + ": must be one of exact, fixed, swept, literal",
+        exit_usage);
+  }
+  if (!options.step_s) {
+    throw CommandError("--dt: the " + options.method + " method needs a time step", exit_usage);
+  }
+  if (options.method == "fixed") return study::FixedStep{*options.step_s};
+  return study::SweptStep{*options.step_s};
+}
+
+study::Scalar scalar_of(const Options& options) {
+  const auto& names = study::scalar_names;
+  const auto found = std::find(names.begin(), names.end(), options.scalar);
+  if (found != names.end()) return static_cast<study::Scalar>(found - names.begin());
+  throw CommandError(
+      "--scalar: " + options.scalar + ": must be one of float, double, longdouble, reference",
+      exit_usage);
+}
+
+void check(const Options& options) {
   if (options.until_s && !(*options.until_s >= 0 && *options.until_s < physics::never<double>)) {
     throw CommandError("--until: must be a time of at least 0", exit_usage);
   }
@@ -65,9 +84,11 @@ wire::Scenario scenario_of(const std::string& file) {
   throw CommandError(what, exit_usage);
 }
 
-Simulated simulate(const wire::Scenario& scenario, const Options& options) {
-  physics::Simulation simulation(scenario.scene, scenario.state, scenario.strike, scenario.seed,
-                                 scenario.limits);
+Simulated simulate(const wire::Scenario& scenario, const study::Method& method,
+                   const Options& options) {
+  study::Simulation simulation(
+      method, scalar_of(options),
+      {scenario.scene, scenario.state, scenario.strike, scenario.seed, scenario.limits});
   const double until = options.until_s.value_or(physics::never<double>);
   for (const double slice : options.slices_s) simulation.advance_to(std::min(slice, until));
   if (simulation.advance_to(until) == physics::Progress::paused) {
@@ -84,8 +105,15 @@ Simulated simulate(const wire::Scenario& scenario, const Options& options) {
 
 int run(const Options& options) {
   check(options);
+  const study::Method method = method_of(options);
   const wire::Scenario scenario = scenario_of(options.file);
-  const Simulated simulated = simulate(scenario, options);
+  if (const auto refusal = refusal_of(method, scenario.scene)) {
+    const bool step = refusal->field == "dt";
+    throw CommandError(
+        (step ? "--dt: " : options.file + ": " + refusal->field + ": ") + refusal->what,
+        exit_usage);
+  }
+  const Simulated simulated = simulate(scenario, method, options);
   std::optional<physics::Audit> audit;
   if (options.audit) audit = physics::audit(scenario.scene, simulated.shot);
   print_report(std::cout, simulated, audit);
@@ -100,9 +128,21 @@ Command add_simulate(CLI::App& program, const Globals&) {
       "simulate", "Simulate a scenario file offline; print its events as JSON, one a line");
   parser->add_option("FILE", options->file, "The scenario, as JSON; - for standard input")
       ->required();
-  parser->add_option("--method", options->method, "How to step: exact")->capture_default_str();
-  parser->add_option("--dt", options->step_s, "Time step of methods that have one")->type_name("S");
-  parser->add_option("--scalar", options->scalar, "Number type: double")->capture_default_str();
+  parser
+      ->add_option("--method", options->method,
+                   "How to step: exact; fixed or swept, with a constant step; literal, the paper's")
+      ->type_name("METHOD")
+      ->capture_default_str();
+  parser
+      ->add_option("--dt", options->step_s,
+                   "Time step of fixed and swept; of literal, the length of a frame: without it, "
+                   "the whole shot")
+      ->type_name("S");
+  parser
+      ->add_option("--scalar", options->scalar,
+                   "Number type: float, double, longdouble, reference (50 digits)")
+      ->type_name("TYPE")
+      ->capture_default_str();
   parser
       ->add_option("--until", options->until_s, "Stop at this time; the final state is that of it")
       ->type_name("S");

@@ -98,14 +98,53 @@ TEST(Simulate, NamesTheFieldOfBadInputAndPrintsNothingElse) {
   EXPECT_NE(ran.err.find("scenario.json: scene.gravity: "), std::string::npos) << ran.err;
 }
 
-TEST(Simulate, RefusesMethodsAndScalarsThatThisBuildDoesNotKnow) {
-  for (const auto& options : std::vector<std::vector<std::string>>{
-           {"--method", "fixed"}, {"--scalar", "float"}, {"--dt", "0.1"}, {"--until", "-1"}}) {
+TEST(Simulate, RefusesMethodsStepsAndScalarsThatMakeNoSense) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> senseless = {
+      {{"--method", "euler"}, "--method: euler: must be one of exact, fixed, swept, literal"},
+      {{"--method", "fixed"}, "--dt: the fixed method needs a time step"},
+      {{"--method", "swept"}, "--dt: the swept method needs a time step"},
+      {{"--method", "swept", "--dt", "0"}, "--dt: must be from 1e-9 to 1000 s"},
+      {{"--method", "literal", "--dt", "-1"}, "--dt: must be from 1e-9 to 1000 s"},
+      {{"--scalar", "half"}, "--scalar: half: must be one of float, double, longdouble, reference"},
+      {{"--dt", "0.1"}, "--dt: the exact method has no time step"},
+      {{"--until", "-1"}, "--until: must be a time of at least 0"}};
+  for (const auto& [options, why] : senseless) {
     const auto ran = simulate(scenario, options);
     EXPECT_EQ(ran.status, 2) << options[0];
     EXPECT_EQ(ran.out, "");
+    EXPECT_EQ(ran.err, "breakshot: " + why + "\n");
   }
   EXPECT_EQ(support::run({BREAKSHOT_PROGRAM, "simulate", "/no/such/file"}).status, 2);
+}
+
+TEST(Simulate, NamesThePartOfASceneThatTheLiteralMethodDoesNotKnow) {
+  const std::string jaws = support::replaced(
+      scenario, "\"ballBall\"",
+      R"("cushions": {"rectangle": {"model": {"mirror": {}}}}, "pockets": {"jawed": {}}, "ballBall")");
+  const auto ran =
+      simulate(support::replaced(jaws, "\"bed\": {", "\"bed\": {\"length\": 4, \"width\": 2, "),
+               {"--method", "literal"});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_NE(ran.err.find("scenario.json: scene.pockets.jawed: "), std::string::npos) << ran.err;
+}
+
+TEST(Simulate, RunsEveryMethodInEveryScalar) {
+  for (const std::string scalar : {"float", "double", "longdouble", "reference"}) {
+    for (const std::vector<std::string>& method : {std::vector<std::string>{"exact"},
+                                                   {"fixed", "--dt", "1e-3"},
+                                                   {"swept", "--dt", "1e-3"},
+                                                   {"literal", "--dt", "1e-3"},
+                                                   {"literal"}}) {
+      std::vector<std::string> options = {"--scalar", scalar, "--method"};
+      options.insert(options.end(), method.begin(), method.end());
+      const auto ran = simulate(scenario, options);
+      EXPECT_EQ(ran.status, 0) << ran.err;
+      EXPECT_EQ(lines_of(ran.out).size(), 5u) << method[0] << " in " << scalar;
+    }
+  }
+  EXPECT_EQ(simulate(scenario, {"--scalar", "double", "--method", "exact"}).out,
+            simulate(scenario).out);
 }
 
 TEST(Simulate, ExitsWithThreeWhenTheShotStalls) {
