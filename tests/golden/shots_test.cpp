@@ -1,6 +1,8 @@
 // Ten shots whose bits may not change by accident: the same digest in every build type, from every
 // compiler, on every machine. A change to shots/digests.txt states the old digest, the new one and
 // the reason in its commit. `breakshot simulate FILE` prints a file's digest in its last line.
+#include <gtest/gtest.h>
+
 #include <fstream>
 #include <iterator>
 #include <map>
