@@ -37,21 +37,45 @@ bool beyond_noses(Vec2 inside, Vec2 place) {
   return std::abs(place.x) > inside.x || std::abs(place.y) > inside.y;
 }
 
-/// Whether a place is between the two facings of a pocket, no further from the hole than its mouth.
-bool in_a_mouth(const Rails& rails, Vec2 place) {
-  for (const Hole& hole : rails.holes) {
-    const std::uint32_t first_jaw = 4 + 2 * number(hole.pocket);
-    bool between = true;
-    double reach = hole.radius_m;
-    for (const RailSegment& rail : rails.segments) {
-      if (number(rail.id) / 2 * 2 != first_jaw) continue;
-      between = between && cross(rail.nose.to - rail.nose.from, place - rail.nose.from) > 0;
-      reach = std::max(
-          {reach, length(rail.nose.from - hole.centre), length(rail.nose.to - hole.centre)});
+/// Whether a place is in the sector of a rounded nose.
+bool in_front(const CushionArc& nose, Vec2 place) {
+  const Vec2 offset = place - nose.centre;
+  return cross(nose.from, offset) >= 0 && cross(offset, nose.to) >= 0;
+}
+
+/// Whether a place is on the open side of a jaw: of its facing's line, or before its rounded nose,
+/// which may be larger than a ball.
+bool clears(const Rails& rails, CushionId jaw, Vec2 place) {
+  const bool beside_facing =
+      std::any_of(rails.segments.begin(), rails.segments.end(), [&](const RailSegment& rail) {
+        return rail.id == jaw && cross(rail.nose.to - rail.nose.from, place - rail.nose.from) > 0;
+      });
+  return beside_facing ||
+         std::any_of(rails.arcs.begin(), rails.arcs.end(), [&](const RailArc& rail) {
+           return rail.id == jaw && in_front(rail.nose, place);
+         });
+}
+
+/// How far from the middle of its hole a pocket's mouth reaches: to where the noses begin to round.
+double reach_of(const Rails& rails, const Hole& hole, CushionId first, CushionId second) {
+  double reach = hole.radius_m;
+  for (const RailArc& rail : rails.arcs) {
+    if (rail.id != first && rail.id != second) continue;
+    for (const Vec2 end : {rail.nose.from, rail.nose.to}) {
+      reach = std::max(reach, length(rail.nose.centre + end * rail.nose.radius_m - hole.centre));
     }
-    if (between && length(place - hole.centre) <= reach) return true;
   }
-  return false;
+  return reach;
+}
+
+/// Whether a place is between the two jaws of a pocket, no further from the hole than its mouth.
+bool in_a_mouth(const Rails& rails, Vec2 place) {
+  return std::any_of(rails.holes.begin(), rails.holes.end(), [&](const Hole& hole) {
+    const CushionId first{4 + 2 * std::uint32_t{number(hole.pocket)}};
+    const CushionId second{number(first) + 1};
+    return length(place - hole.centre) <= reach_of(rails, hole, first, second) &&
+           clears(rails, first, place) && clears(rails, second, place);
+  });
 }
 
 /// A ball may not stand in a cushion: in front of its nose, within its extent, nearer than a
@@ -75,10 +99,8 @@ std::optional<std::string> place_fault(const Scene& scene, const Rails& rails, V
     }
   }
   for (const RailArc& rail : rails.arcs) {
-    const Vec2 d = place - rail.nose.centre;
-    const double distance = length(d) - rail.nose.radius_m;
-    const bool in_front = cross(rail.nose.from, d) >= 0 && cross(d, rail.nose.to) >= 0;
-    if (in_front && distance < nearest) {
+    const double distance = length(place - rail.nose.centre) - rail.nose.radius_m;
+    if (in_front(rail.nose, place) && distance < nearest) {
       return too_near(distance, "cushion " + std::to_string(number(rail.id)), radius);
     }
   }

@@ -54,11 +54,6 @@ inline bool has_friction(const physics::Scene& scene) {
   return !std::holds_alternative<physics::Frictionless>(scene.bed.motion);
 }
 
-/// Elastic balls or cushions that friction presses together may hop for ever: Stalled is an answer.
-inline bool presses_for_ever(const physics::Scene& scene) {
-  return has_friction(scene) && std::holds_alternative<physics::Elastic>(*scene.ball_ball);
-}
-
 /// 8-foot tables without pockets, one for every combination of models.
 inline std::vector<physics::Scene> every_table() {
   std::vector<physics::Scene> all;

@@ -8,7 +8,6 @@ using namespace support;
 
 TEST(Noise, OfScaleZeroGivesTheBitsOfNoneInEveryScene) {
   for (Scene scene : every_table()) {
-    if (presses_for_ever(scene)) continue;
     const State state = racked(scene, 1e-3);
     const Strike strike{BallId{0}, {1, 0}, 6, {}};
     const Shot absent = shot_of(scene, state, strike, seed_of(9), limits_for(scene, 0.3));
@@ -20,7 +19,6 @@ TEST(Noise, OfScaleZeroGivesTheBitsOfNoneInEveryScene) {
 
 TEST(Noise, OfTheGreatestScaleGivesSoundShots) {
   for (Scene scene : every_table()) {
-    if (presses_for_ever(scene)) continue;
     scene.perturbation = Perturbation{1, 1};
     for (const double gap : {0.0, 1e-9, rack_gap_m}) {
       for (std::uint32_t seed = 0; seed < 4; ++seed) {

@@ -177,7 +177,6 @@ TEST(RangeEnds, GiveSoundShots) {
 
 TEST(RangeEnds, OfSpeedGiveSoundShots) {
   for (const Scene& scene : every_table()) {
-    if (presses_for_ever(scene)) continue;
     const State state = racked(scene, 1e-4);
     Limits limits = until(0.2);
     const Strike strike{BallId{0}, {1, 0}, max_speed_m_s, {}};

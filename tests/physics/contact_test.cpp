@@ -147,6 +147,24 @@ TEST(WeakContact, APushTakesABoundedNumberOfHops) {
   EXPECT_LT(shot.events.size(), 2000u);
 }
 
+TEST(WeakContact, ElasticBallsPressedTogetherByTheirFrictionHop) {
+  // They slow down in different directions, so that the slower one is in the way of the other.
+  const State state = balls({ball(3, {0, 0}, {0.99, 0}), ball(5, {diameter, 0}, {0.99, 0.15})});
+  const Shot shot = shot_of(cloth(), state);
+  EXPECT_EQ(shot.stop, Stop::rest);
+  EXPECT_LT(shot.events.size(), 50u);
+  EXPECT_FALSE(all_of<BallBall>(shot).empty());
+  EXPECT_EQ(audit(cloth(), shot).worst_rise_J, 0);
+}
+
+TEST(WeakContact, ElasticBallsWhoseNormalsAreTurnedDoNotHop) {
+  // As in version 1 of the physics, whose elastic table turned normals: its shots keep their bits.
+  Scene scene = cloth();
+  const State state = balls({ball(3, {0, 0}, {0.99, 0}), ball(5, {diameter, 0}, {0.99, 0.15})});
+  scene.perturbation = Perturbation{1e-9, 0};
+  EXPECT_TRUE(std::holds_alternative<Stalled>(simulate(scene, state, std::nullopt, {}, {})));
+}
+
 TEST(WeakContact, RestitutionZeroEndsInRest) {
   Scene scene = table(Straight{}, CushionRestitution{0, 0.5, 1e-3}, BallRestitution{0, 1e-3});
   const Shot shot = shot_of(scene, racked(scene, rack_gap_m), Strike{BallId{0}, {1, 0}, 8});
@@ -263,8 +281,9 @@ TEST(FrozenRack, HitOffCentreKeepsEnergy) {
 }
 
 TEST(Stalled, NamesTheBallsOfAContactThatNeitherPartsNorLetsTimePass) {
-  // Elastic balls, touching, without relative velocity, pressed together by their friction.
+  // Touching, without relative velocity, pressed together by their friction, and told not to hop.
   Scene scene = cloth();
+  scene.ball_ball = BallRestitution{0.95, 0};
   const auto outcome =
       simulate(scene, balls({ball(3, {0, 0}, {0.99, 0}), ball(5, {diameter, 0}, {0.99, 0.15})}),
                std::nullopt, {}, {});

@@ -108,6 +108,26 @@ TEST(Jaws, LetABallHangOnTheLip) {
   EXPECT_TRUE(faults_of(scene, state_after(hangs)).empty());
 }
 
+// Where dead noses left balls of the audit: some um before a nose larger than a ball, beyond the
+// line of the cushions, further from the hole than where the facings begin.
+TEST(Jaws, LetABallRestBeforeALargeRoundedNose) {
+  Scene scene = tables()[4].scene;
+  ASSERT_EQ(tables()[4].name, "snooker");
+  const Ball resting = ball(0, {0.031941962394856804, 0.89051751032514});
+  EXPECT_TRUE(faults_of(scene, State{{resting}}).empty());
+  EXPECT_TRUE(
+      faults_of(scene, State{{ball(0, {-0.032690948444911869, -0.88928311422745243})}}).empty());
+  const auto fault_at = [&](Vec2 place) {
+    const auto faults = faults_of(scene, State{{ball(0, place)}});
+    return faults.empty() ? "" : faults[0].what;
+  };
+  // A hair nearer it stands in the nose; behind the nose and behind the facing, in the rubber.
+  EXPECT_EQ(fault_at({0.03195, 0.89053}).rfind("is 0.026", 0), 0U) << fault_at({0.03195, 0.89053});
+  for (const Vec2 behind : {Vec2{0.081, 0.92}, Vec2{0.07, 0.93}, Vec2{0.2, 0.9}, Vec2{0, 1.1}}) {
+    EXPECT_EQ(fault_at(behind).rfind("is beyond the line", 0), 0U) << fault_at(behind);
+  }
+}
+
 TEST(Jaws, RattleAFastBallThatIsOffTheLine) {
   const Scene scene = jawed();
   int rattled = 0;
