@@ -112,7 +112,8 @@ Reading read_file(hash::Bytes bytes);
 // ---- Verification
 
 /// Earlier versions of the physics that the present one still simulates with the same bits. Version
-/// 1 had no spin, no jaws and no arcs; scenes without them have kept their bits.
+/// 1 had no spin, no friction at contacts, no jaws and no arcs; the tables that were offered for
+/// matches then have kept their bits.
 inline constexpr std::array<std::uint32_t, 1> earlier_physics{1};
 static_assert(physics::physics_version <= 2, "which versions have kept their bits must be said");
 
@@ -120,6 +121,9 @@ static_assert(physics::physics_version <= 2, "which versions have kept their bit
 bool can_simulate(std::uint32_t physics);
 /// Those versions for people: "version 1", "versions 1 and 2".
 std::string simulated_versions();
+/// The first field of a scene with what that version did not have yet, and what that is. A record
+/// that holds both was not played so.
+std::optional<std::string> newer_part_of(const physics::Scene& scene, std::uint32_t physics);
 
 /// The first entry whose re-simulation differs from what is stored, and how.
 struct Divergence {

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "common/record/chain.hpp"
 #include "common/record/difference.hpp"
 #include "common/record/record.hpp"
@@ -20,6 +18,7 @@ match::Seq seq_at(std::size_t index) {
 /// What keeps a match from being started from `header`.
 Fault start_fault(const Header& header) {
   if (auto fault = fault_of(header)) return fault;
+  if (auto fault = newer_part_of(header.settings.scene, header.physics)) return fault;
   const std::vector<physics::Fault> faults = match::faults_of(header.settings);
   if (faults.empty()) return std::nullopt;
   return faults.front().field + ": " + faults.front().what;
@@ -65,22 +64,6 @@ Verdict verdict_on_chain(const Record& record) {
 }
 
 }  // namespace
-
-bool can_simulate(std::uint32_t physics) {
-  return physics == physics::physics_version ||
-         std::find(earlier_physics.begin(), earlier_physics.end(), physics) !=
-             earlier_physics.end();
-}
-
-std::string simulated_versions() {
-  std::string earlier;
-  for (const std::uint32_t version : earlier_physics) {
-    if (version == physics::physics_version) continue;
-    earlier += (earlier.empty() ? "" : ", ") + std::to_string(version);
-  }
-  const std::string present = std::to_string(physics::physics_version);
-  return earlier.empty() ? "version " + present : "versions " + earlier + " and " + present;
-}
 
 Verdict verify(const Record& record) {
   const Header& header = record.header;

@@ -109,6 +109,48 @@ TEST(Replay, VerifiesWhatEarlierVersionsOfThePhysicsPlayed) {
   EXPECT_NE(simulated_versions().find(std::to_string(physics::physics_version)), std::string::npos);
 }
 
+TEST(Replay, RefusesAnEarlierVersionOfThePhysicsForASceneThatItDidNotHave) {
+  Record record = played();  // on the table with everything
+  record.header.physics = 1;
+  expect_divergence(rechained(record), 0, "header: scene.bed.motion: spinning came with version 2");
+  // Nor before its secret is revealed.
+  record.entries.pop_back();
+  expect_divergence(rechained(record), 0, "header: scene.bed.motion: spinning came with version 2");
+}
+
+TEST(Replay, KnowsWhatVersion1OfThePhysicsHad) {
+  using physics::Scene;
+  const Scene plain = physics::presets()[3].scene;
+  const Scene full = physics::presets()[0].scene;
+  EXPECT_EQ(newer_part_of(plain, 1), std::nullopt);
+  EXPECT_EQ(newer_part_of(physics::presets().back().scene, 1), std::nullopt);
+  EXPECT_EQ(newer_part_of(full, physics::physics_version), std::nullopt);
+  const auto part = [&](auto change) {
+    Scene scene = plain;
+    change(scene);
+    return newer_part_of(scene, 1).value_or("");
+  };
+  const auto begins = [](const std::string& text, const std::string& with) {
+    return text.rfind(with, 0) == 0;
+  };
+  EXPECT_TRUE(
+      begins(part([&](Scene& s) { s.cushions = full.cushions; }), "scene.cushions: han2005"));
+  EXPECT_TRUE(begins(part([&](Scene& s) { s.pockets = full.pockets; }), "scene.pockets: jawed"));
+  EXPECT_TRUE(
+      begins(part([&](Scene& s) { s.ball_ball = full.ball_ball; }), "scene.ballBall: frictional"));
+  EXPECT_TRUE(begins(
+      part([](Scene& s) {
+        s.cushions = physics::FreeCushions{{}, {{{0, 0}, 1, {1, 0}, {0, 1}, physics::Mirror{}}}};
+      }),
+      "scene.cushions: arcs"));
+  EXPECT_TRUE(begins(part([](Scene& s) {
+                       s.cushions =
+                           physics::FreeCushions{{{{0, 0}, {1, 0}, physics::Mirror{}},
+                                                  {{1, 0}, {1, 1}, physics::Stronge2000{}}}};
+                     }),
+                     "scene.cushions: stronge2000"));
+}
+
 TEST(Replay, NamesTheFirstEventThatDiverges) {
   Record record = played();
   const std::size_t at = first_shot(record);
