@@ -1,4 +1,5 @@
 # What every target is compiled with, whatever its room.
+cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH BREAKSHOT_ROOT)
 
 # The determinism contract, for the whole project: the same bits need the same rounding in every
 # build type and from every compiler, so no product and sum may be contracted into one rounding.
@@ -12,6 +13,6 @@ add_compile_options(-ffp-contract=off -fno-math-errno -fno-trapping-math)
 find_program(BREAKSHOT_CCACHE ccache)
 if(BREAKSHOT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-      CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=true
+      CCACHE_BASEDIR=${BREAKSHOT_ROOT} CCACHE_NOHASHDIR=true
       CCACHE_SLOPPINESS=pch_defines,time_macros ${BREAKSHOT_CCACHE})
 endif()

@@ -2,7 +2,7 @@
 # these warnings. What is switched off for g++ is what version 12 claims wrongly when it optimises: of
 # every `"literal" + std::string` (PR 105651) and of every std::variant that is moved.
 add_library(breakshot_flags INTERFACE)
-target_include_directories(breakshot_flags INTERFACE ${CMAKE_SOURCE_DIR})
+target_include_directories(breakshot_flags INTERFACE ${BREAKSHOT_ROOT})
 target_compile_options(breakshot_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
   "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-maybe-uninitialized>"
@@ -18,29 +18,4 @@ function(breakshot_room room)
     add_library(breakshot_${room} INTERFACE)
     target_link_libraries(breakshot_${room} INTERFACE breakshot_flags ${ARGN})
   endif()
-endfunction()
-
-# GoogleTest costs a second in every test source; all test programs share one precompiled copy of it.
-include(GoogleTest)
-file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/test_headers.cpp CONTENT "")
-add_library(breakshot_test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)
-target_link_libraries(breakshot_test_headers PRIVATE breakshot_flags GTest::gtest)
-target_precompile_headers(breakshot_test_headers PRIVATE <gtest/gtest.h> <algorithm> <optional>
-                          <string> <variant> <vector>)
-
-# breakshot_test(<room> [libraries...]): every *_test.cpp of the folder in one GoogleTest program.
-function(breakshot_test room)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  if(sources)
-    breakshot_test_program(${room} "${sources}" ${ARGN})
-  endif()
-endfunction()
-
-function(breakshot_test_program room sources)
-  add_executable(${room}_test ${sources})
-  target_link_libraries(${room}_test PRIVATE breakshot_flags ${ARGN} GTest::gtest GTest::gtest_main)
-  target_precompile_headers(${room}_test REUSE_FROM breakshot_test_headers)
-  gtest_discover_tests(${room}_test DISCOVERY_MODE PRE_TEST PROPERTIES
-    TIMEOUT 600 LABELS ${room}
-    ENVIRONMENT LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/leaks.supp:print_suppressions=0)
 endfunction()

@@ -3,11 +3,22 @@
 // available precision"; no fused operations, so that the bits are the same everywhere.
 #pragma once
 
+#include <cfloat>
 #include <limits>
 
 #include "common/physics/vec.hpp"
 
 namespace breakshot::physics {
+
+// What the bits rest on, refused by the compiler where it is not so: doubles of IEEE 754, each
+// operation rounded to double at once (the x87 keeps more digits for a while), and no algebra that
+// holds for real numbers alone. Contraction cannot be seen from here: docs/determinism.md.
+static_assert(std::numeric_limits<double>::is_iec559, "double must be that of IEEE 754");
+static_assert(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1,
+              "doubles must be computed as doubles: by SSE2 (-mfpmath=sse), not by the x87");
+#ifdef __FAST_MATH__
+#error "-ffast-math gives other bits: leave it out"
+#endif
 
 /// 2^exponent, exact.
 template <class Real>

@@ -148,7 +148,8 @@ void code_vector(Codec& codec, Vector& value, std::size_t limit) {
   for (std::size_t i = 0; i < count && !codec.failed(); ++i) {
     codec.enter(i);
     if constexpr (Codec::writing) {
-      const auto& element = value[i];
+      // Named by its type: some libraries give a stand-in for an element of std::vector<bool>.
+      const typename Vector::value_type& element = value[i];
       code(codec, element, 0);
     } else {
       typename Vector::value_type element{};
