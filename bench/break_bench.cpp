@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/support.hpp"
+#include "bench/timing.hpp"
 #include "common/physics/simulation.hpp"
 #include "common/physics/timeline.hpp"
 

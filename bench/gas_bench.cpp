@@ -2,8 +2,7 @@
 // costs for few and for very many, and with either calendar.
 #include <benchmark/benchmark.h>
 
-#include <ctime>
-
+#include "bench/timing.hpp"
 #include "common/physics/simulation.hpp"
 #include "tests/support/gases.hpp"
 
@@ -15,13 +14,6 @@ constexpr double cover = 0.2;
 constexpr double events_a_run = 200'000;
 /// Time for the grid that a gas starts from to be forgotten, s: a disc has a few events in it.
 constexpr double start_s = 0.5;
-
-/// Processor time of this thread, s: a shared machine takes the processor away at any time.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// Events a second; placing the discs, their first appointments and the start are left out.
 template <class Simulation>

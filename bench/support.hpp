@@ -1,11 +1,7 @@
-// What benchmarks share: scenario files beside them, seeds, and time that other processes do not
-// add to.
+// What benchmarks share: scenario files beside them, and seeds.
 #pragma once
 
-#include <algorithm>
-#include <chrono>
 #include <cstdint>
-#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -31,19 +27,6 @@ inline physics::ShotSeed seed(std::uint32_t number) {
   physics::ShotSeed seed;
   for (std::size_t i = 0; i < 4; ++i) seed.seed[i] = static_cast<std::uint8_t>(number >> 8 * i);
   return seed;
-}
-
-/// Processor time of this thread, s: a shared machine takes the processor away at any time.
-inline double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-inline double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
 }
 
 }  // namespace breakshot::bench
