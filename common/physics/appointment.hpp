@@ -45,26 +45,25 @@ class OwnEvents {
         leaves = smaller(leaves, cushion_time(path, wall, laws_.radius, top_speed_, leaves));
       }
       if (leaves == first.time_s) return first;
-      Appointment<Real> cushion = first;
-      meet_noses(path, main_noses_, cushion);
+      const Appointment<Real> cushion = first_nose(path, main_noses_, first);
       if (cushion.time_s <= leaves) return cushion;
     }
-    meet_noses(path, laws_.noses.size(), first);
-    meet_circles(path, first);
-    return first;
+    return first_circle(path, first_nose(path, laws_.noses.size(), first));
   }
 
  private:
   static constexpr std::size_t main_noses = 6;
 
-  void meet_noses(const Path<Real>& path, std::size_t count, Appointment<Real>& first) const {
+  Appointment<Real> first_nose(const Path<Real>& path, std::size_t count,
+                               Appointment<Real> first) const {
     for (std::uint32_t i = 0; i < count; ++i) {
       const Real t = cushion_time(path, laws_.noses[i], laws_.radius, top_speed_, first.time_s);
       if (t < first.time_s) first = {t, Due::cushion, i};
     }
+    return first;
   }
 
-  void meet_circles(const Path<Real>& path, Appointment<Real>& first) const {
+  Appointment<Real> first_circle(const Path<Real>& path, Appointment<Real> first) const {
     for (std::uint32_t i = 0; i < laws_.arcs.size(); ++i) {
       const Arc<Real>& arc = laws_.arcs[i];
       if (stays_away(path, arc.centre, arc.distance, first.time_s)) continue;
@@ -77,14 +76,16 @@ class OwnEvents {
       const Real t = drop_time(path, drop);
       if (t < first.time_s) first = {t, Due::hole, i};
     }
+    return first;
   }
 
   bool stays_away(const Path<Real>& path, const Path<Real>& centre, Real distance,
                   Real until_s) const {
     const BasicSegment<Real>& s = path.segment;
     const Real span = smaller(until_s - s.start_s, Real(longest_span_s<Real>));
-    return PairDetector<Real>(distance).separation(centre.segment.position - s.position,
-                                                   -s.velocity, -s.acceleration, span) > 0;
+    return PairDetector<Real>(distance, top_speed_)
+               .separation(centre.segment.position - s.position, -s.velocity, -s.acceleration,
+                           span) > 0;
   }
 
   const Laws<Real>& laws_;

@@ -29,7 +29,7 @@ class CellCalendar {
       : laws_(laws),
         top_speed_(top_speed),
         own_events_(laws, top_speed),
-        detector_(laws.diameter),
+        detector_(laws.diameter, top_speed),
         straight_(!laws.cloth.slows()),
         cells_(balls, laws.diameter),
         heap_(balls),

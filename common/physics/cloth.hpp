@@ -59,23 +59,8 @@ class Cloth {
   /// The path of a ball that leaves `position` so at `time_s`.
   Path<Real> path_from(BallId ball, Real time_s, BasicVec2<Real> position,
                        const Moving<Real>& moving) const {
-    if (spins_) return spinning_from(ball, time_s, position, moving);
-    const Real speed = length(moving.velocity);
-    Path<Real> path;
-    path.segment = {ball, Phase::rest, time_s, position, moving.velocity, {}, {}, {}};
-    path.speed = speed;
-    if (speed == 0) return path;
-    path.segment.phase = Phase::roll;
-    if (!friction_) return path;
-    const BasicVec2<Real> direction = moving.velocity / speed;
-    const bool slides = speed > rolling_below_;
-    const Real deceleration = slides ? slide_deceleration_ : roll_deceleration_;
-    if (slides) path.segment.phase = Phase::slide;
-    path.segment.acceleration = direction * -deceleration;
-    if (deceleration > 0) {
-      path.end_s = time_s + (slides ? speed - rolling_below_ : speed) / deceleration;
-    }
-    return path;
+    return spins_ ? spinning_from(ball, time_s, position, moving)
+                  : straight_from(ball, time_s, position, moving.velocity);
   }
 
   /// The path after the end of a phase: slides become rolls, rolls end in rest or spin, spin in
@@ -128,6 +113,29 @@ class Cloth {
   Real spin_decay(Real spin) const {
     if (spin == 0) return 0;
     return spin < 0 ? spin_deceleration_ : -spin_deceleration_;
+  }
+
+  Path<Real> straight_from(BallId ball, Real time_s, BasicVec2<Real> position,
+                           BasicVec2<Real> velocity) const {
+    const Real speed = length(velocity);
+    if (speed == 0 || !friction_) {
+      const Phase phase = speed == 0 ? Phase::rest : Phase::roll;
+      return {{ball, phase, time_s, position, velocity, {}, {}, {}}, speed, never<Real>, false};
+    }
+    const bool slides = speed > rolling_below_;
+    const Real deceleration = slides ? slide_deceleration_ : roll_deceleration_;
+    const Real lost = slides ? speed - rolling_below_ : speed;
+    return {{ball,
+             slides ? Phase::slide : Phase::roll,
+             time_s,
+             position,
+             velocity,
+             velocity / speed * -deceleration,
+             {},
+             {}},
+            speed,
+            deceleration > 0 ? time_s + lost / deceleration : never<Real>,
+            false};
   }
 
   Path<Real> spinning_from(BallId ball, Real time_s, BasicVec2<Real> position,

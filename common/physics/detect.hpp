@@ -11,8 +11,9 @@
 namespace breakshot::physics {
 
 template <class Real>
-constexpr Real magnitude(Real x) {
-  return x < 0 ? -x : x;
+Real magnitude(Real x) {
+  using std::abs;
+  return abs(x);
 }
 
 template <class Real>
@@ -96,8 +97,9 @@ Encounter<Real> encounter(const Path<Real>& a, const Path<Real>& b) {
 }
 
 /// Time until a straight relative path of constant velocity comes nearer than `distance`, or never.
+/// Now they are `apart`, m, and move against one another at `speed`, m/s.
 template <class Real>
-Real linear_entry(const Encounter<Real>& e, Real distance) {
+Real linear_entry(const Encounter<Real>& e, Real distance, Real apart, Real speed) {
   using std::sqrt;
   const BasicVec2<Real> d = e.relative.position;
   const BasicVec2<Real> w = e.relative.velocity;
@@ -109,11 +111,11 @@ Real linear_entry(const Encounter<Real>& e, Real distance) {
     scaled.first_velocity = e.first_velocity * scale;
     scaled.second_velocity = e.second_velocity * scale;
     scaled.relative.velocity = w * scale;
-    return linear_entry(scaled, distance) * scale;
+    return linear_entry(scaled, distance, apart, length(scaled.relative.velocity)) * scale;
   }
   const Real b = dot(d, w);
   if (b >= 0) return never<Real>;
-  const Real reach = distance * sqrt(dot(w, w));
+  const Real reach = distance * speed;
   const Real miss = magnitude(cross(d, w));
   const Real doubt = 8 * std::numeric_limits<Real>::epsilon() *
                      (magnitude(d.x * w.y) + magnitude(d.y * w.x) + reach);
@@ -122,7 +124,7 @@ Real linear_entry(const Encounter<Real>& e, Real distance) {
     discriminant = nearness(e.first, e.second, e.first_velocity, e.second_velocity, distance);
   }
   if (!(discriminant > 0)) return never<Real>;
-  return excess(d, distance) / (sqrt(discriminant) - b);
+  return (apart - distance) * (apart + distance) / (sqrt(discriminant) - b);
 }
 
 /// When the balls of two paths next meet: the first event after both have started, within both
@@ -157,13 +159,13 @@ Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter) {
     const auto t = EntrySearch<Real>(relative, diameter, distance).first(horizon, false);
     return t ? e.start_s + *t : never<Real>;
   }
-  Real t = linear_entry(e, diameter);
+  const Real speed = length(relative.velocity);
+  Real t = linear_entry(e, diameter, distance, speed);
   if (t == never<Real>) return t;
   if (slowing) {
     // Along a straight decelerating path, t at constant velocity is a distance. The whole stop,
     // at speed / deceleration, covers half of what constant velocity would.
     const Path<Real>& mover = is_still(a.segment.phase) ? b : a;
-    const Real speed = length(relative.velocity);
     const Real deceleration = length(mover.segment.acceleration);
     const Real left = 1 - 2 * (deceleration / speed) * t;
     if (!(left > 0)) return never<Real>;

@@ -1,31 +1,32 @@
-// All balls at one instant, as rows of numbers: what every ball is compared with at every event.
-// The loops over a row are free of branches, so that a compiler makes vector instructions of them.
+// All balls at one instant, in packs: what every ball is compared with at every event. The loops
+// are free of branches, and what they find is a set of bits, so that the processor need not guess.
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "common/physics/pack.hpp"
 #include "common/physics/pair_detector.hpp"
 
 namespace breakshot::physics {
 
 template <class Real>
 class Field {
-  static constexpr std::size_t lanes = 4;
-  struct Row {
-    using Numbers = std::array<Real, lanes>;
-    Numbers start, start_x, start_y, start_vx, start_vy, ax, ay;
-    Numbers x, y, vx, vy;
-    Numbers until;
-  };
-
  public:
-  Field(std::size_t balls, Real diameter)
-      : detector_(diameter), rows_((balls + lanes - 1) / lanes), balls_(balls) {
-    for (Row& row : rows_) row.until.fill(never<Real>);
+  /// `straight`: paths never accelerate.
+  Field(std::size_t balls, const PairDetector<Real>& detector, bool straight)
+      : detector_(detector),
+        straight_(straight),
+        groups_((balls + Many::size - 1) / Many::size),
+        sets_((balls + balls_of_a_set - 1) / balls_of_a_set) {
+    std::size_t end = 0;
+    for (Sets& sets : sets_) {
+      sets.begin = end;
+      sets.end = end = std::min(end + balls_of_a_set / Many::size, groups_.size());
+    }
   }
 
   const PairDetector<Real>& detector() const { return detector_; }
@@ -33,118 +34,157 @@ class Field {
   /// Gives a ball a new path, which starts at the instant of the field.
   void set(std::size_t ball, const Path<Real>& path) {
     const BasicSegment<Real>& s = path.segment;
-    Row& row = rows_[ball / lanes];
-    const std::size_t i = ball % lanes;
-    row.start[i] = s.start_s;
-    row.start_x[i] = row.x[i] = s.position.x;
-    row.start_y[i] = row.y[i] = s.position.y;
-    row.start_vx[i] = row.vx[i] = s.velocity.x;
-    row.start_vy[i] = row.vy[i] = s.velocity.y;
-    row.ax[i] = s.acceleration.x;
-    row.ay[i] = s.acceleration.y;
+    Group& group = groups_[ball / Many::size];
+    const std::size_t i = ball % Many::size;
+    group.start.set(i, s.start_s);
+    set_both(group.start_position, i, s.position);
+    set_both(group.position, i, s.position);
+    set_both(group.start_velocity, i, s.velocity);
+    set_both(group.velocity, i, s.velocity);
+    set_both(group.acceleration, i, s.acceleration);
+    Sets& sets = sets_[ball / balls_of_a_set];
+    set_bit(sets.present, ball % balls_of_a_set, s.phase != Phase::pocketed);
+    set_bit(sets.moving, ball % balls_of_a_set, !is_still(s.phase));
   }
 
   /// The time of the earliest event that is known of a ball.
   void set_until(std::size_t ball, Real time_s) {
-    rows_[ball / lanes].until[ball % lanes] = time_s;
+    groups_[ball / Many::size].until.set(ball % Many::size, time_s);
   }
-  Real until(std::size_t ball) const { return rows_[ball / lanes].until[ball % lanes]; }
+  Real until(std::size_t ball) const { return groups_[ball / Many::size].until[ball % Many::size]; }
 
   Real earliest() const {
-    typename Row::Numbers least;
-    least.fill(never<Real>);
-    for (const Row& row : rows_) {
-      for (std::size_t i = 0; i < lanes; ++i) {
-        least[i] = smaller(least[i], row.until[i]);
-      }
-    }
-    return *std::min_element(least.begin(), least.end());
+    Many least(never<Real>);
+    for (const Group& group : groups_) least = smaller(least, group.until);
+    Real first = least[0];
+    for (std::size_t i = 1; i < Many::size; ++i) first = smaller(first, least[i]);
+    return first;
   }
 
-  /// Calls `due(ball)` for every ball whose earliest event is at `time_s`.
+  /// Calls `due(ball)` for every ball, ascending, whose earliest event is at `time_s`, the earliest
+  /// of all.
   template <class Due>
   void each_due(Real time_s, const Due& due) const {
-    std::size_t first = 0;
-    for (const Row& row : rows_) {
-      for (std::size_t i = 0; i < lanes; ++i) {
-        if (row.until[i] == time_s) due(first + i);
-      }
-      first += lanes;
-    }
+    const Many now(time_s);
+    each_of_all([](const Sets&) { return all; },
+                [&now](const Group& group) { return not_above(group.until, now); }, due);
   }
 
   /// The balls at `time_s`, at which everything below is asked.
   void move_to(Real time_s) {
     now_s_ = time_s;
-    for (Row& row : rows_) {
-      for (std::size_t i = 0; i < lanes; ++i) {
-        const Real dt = time_s - row.start[i];
-        const Real half = dt / 2;
-        row.x[i] = row.start_x[i] + (row.start_vx[i] + row.ax[i] * half) * dt;
-        row.y[i] = row.start_y[i] + (row.start_vy[i] + row.ay[i] * half) * dt;
-        row.vx[i] = row.start_vx[i] + row.ax[i] * dt;
-        row.vy[i] = row.start_vy[i] + row.ay[i] * dt;
-      }
+    const Many now(time_s);
+    const Many half(Real(1) / 2);
+    for (Group& group : groups_) {
+      const Many dt = now - group.start;
+      const BasicVec2<Many> change = group.acceleration * dt;
+      group.position = group.start_position + (group.start_velocity + change * half) * dt;
+      group.velocity = group.start_velocity + change;
     }
   }
 
-  /// Calls `found(other)` for every other ball whose centre is within `reach` of that of `ball`.
+  /// Calls `found(other)` for every other ball on the table, ascending, whose centre is within
+  /// `reach` of that of `ball`.
   template <class Found>
   void each_within(std::size_t ball, Real reach, const Found& found) const {
-    const Row& own = rows_[ball / lanes];
-    const BasicVec2<Real> p{own.x[ball % lanes], own.y[ball % lanes]};
-    std::size_t first = 0;
-    for (const Row& row : rows_) {
-      typename Row::Numbers measure;
-      for (std::size_t i = 0; i < lanes; ++i) {
-        const BasicVec2<Real> d{row.x[i] - p.x, row.y[i] - p.y};
-        measure[i] = dot(d, d) - reach * reach;
-      }
-      report(ball, first, measure, found);
-      first += lanes;
-    }
+    const BasicVec2<Many> place = both(groups_[ball / Many::size].position, ball % Many::size);
+    const Many square(reach * reach);
+    each_of_all([this, ball](const Sets& sets) { return without(ball, sets, sets.present); },
+                [&](const Group& group) {
+                  const BasicVec2<Many> d = group.position - place;
+                  return not_above(dot(d, d), square);
+                },
+                found);
   }
 
-  /// Calls `found(other)` for every other ball that may meet `ball` before `until` of both: all
-  /// that do, and few that do not.
+  /// Calls `found(other)` for every other ball on the table, ascending, that may meet `ball` before
+  /// `until` of both: all that do, and few that do not. Of two balls one must move.
   template <class Found>
   void each_that_may_meet(std::size_t ball, const Found& found) const {
-    const Row& own = rows_[ball / lanes];
-    const std::size_t k = ball % lanes;
-    const BasicVec2<Real> p{own.x[k], own.y[k]};
-    const BasicVec2<Real> v{own.vx[k], own.vy[k]};
-    const BasicVec2<Real> a{own.ax[k], own.ay[k]};
-    const Real last = now_s_ + Real(longest_span_s<Real>);
-    const Real end = smaller(own.until[k], last);
-    std::size_t first = 0;
-    for (const Row& row : rows_) {
-      typename Row::Numbers measure;
-      for (std::size_t i = 0; i < lanes; ++i) {
-        const Real until = smaller(row.until[i], end);
-        const BasicVec2<Real> d{row.x[i] - p.x, row.y[i] - p.y};
-        const BasicVec2<Real> w{row.vx[i] - v.x, row.vy[i] - v.y};
-        const BasicVec2<Real> bend{row.ax[i] - a.x, row.ay[i] - a.y};
-        measure[i] = detector_.separation(d, w, bend, until - now_s_);
-      }
-      report(ball, first, measure, found);
-      first += lanes;
+    const Group& own = groups_[ball / Many::size];
+    const std::size_t k = ball % Many::size;
+    const BasicVec2<Many> position = both(own.position, k);
+    const BasicVec2<Many> velocity = both(own.velocity, k);
+    const BasicVec2<Many> acceleration = both(own.acceleration, k);
+    const Many now(now_s_);
+    const Many end(smaller(own.until[k], now_s_ + Real(longest_span_s<Real>)));
+    const bool moves = (sets_[ball / balls_of_a_set].moving >> ball % balls_of_a_set & 1) != 0;
+    const auto asked = [&](const Sets& sets) {
+      return without(ball, sets, moves ? sets.present : sets.moving);
+    };
+    const auto test = [&](const Group& group, auto... bend) {
+      const Many span = smaller(group.until, end) - now;
+      return not_above(
+          detector_.separation(group.position - position, group.velocity - velocity, bend..., span),
+          Many{});
+    };
+    if (straight_) {
+      each_of_all(asked, test, found);
+    } else {
+      each_of_all(
+          asked, [&](const Group& group) { return test(group, group.acceleration - acceleration); },
+          found);
     }
   }
 
  private:
-  template <class Found>
-  void report(std::size_t ball, std::size_t first, const std::array<Real, lanes>& measure,
-              const Found& found) const {
-    const Real least = smaller(smaller(measure[0], measure[1]), smaller(measure[2], measure[3]));
-    if (least > 0) return;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      if (!(measure[i] > 0) && first + i != ball && first + i < balls_) found(first + i);
+  using Many = Pack<Real>;
+
+  struct Group {
+    Many start;
+    BasicVec2<Many> start_position, start_velocity, acceleration;
+    BasicVec2<Many> position, velocity;
+    Many until{never<Real>};
+  };
+
+  /// Some of 64 balls, one bit each.
+  using Bits = std::uint64_t;
+  static constexpr std::size_t balls_of_a_set = 64;
+  static constexpr Bits all = ~Bits{0};
+  struct Sets {
+    Bits present = 0;  ///< on the table
+    Bits moving = 0;
+    std::size_t begin = 0;  ///< the groups
+    std::size_t end = 0;
+  };
+
+  static void set_both(BasicVec2<Many>& packs, std::size_t i, BasicVec2<Real> numbers) {
+    packs.x.set(i, numbers.x);
+    packs.y.set(i, numbers.y);
+  }
+  static BasicVec2<Many> both(const BasicVec2<Many>& packs, std::size_t i) {
+    return {Many(packs.x[i]), Many(packs.y[i])};
+  }
+  static void set_bit(Bits& set, std::size_t i, bool value) {
+    set = (set & ~(Bits{1} << i)) | Bits{value} << i;
+  }
+  /// `bits`, of balls that `sets` is of, but for the ball itself.
+  Bits without(std::size_t ball, const Sets& sets, Bits bits) const {
+    const bool among = &sets == &sets_[ball / balls_of_a_set];
+    return bits & ~(Bits{among} << ball % balls_of_a_set);
+  }
+
+  /// Calls `call(ball)` for every ball of the sets that `asked` gives for which `test`, of groups,
+  /// gives a bit.
+  template <class Asked, class Test, class Call>
+  void each_of_all(const Asked& asked, const Test& test, const Call& call) const {
+    std::size_t first = 0;
+    for (const Sets& sets : sets_) {
+      Bits found = 0;
+      for (std::size_t g = sets.begin; g < sets.end; ++g) {
+        found |= test(groups_[g]) << (g - sets.begin) * Many::size;
+      }
+      for (found &= asked(sets); found != 0; found &= found - 1) {
+        call(first + static_cast<std::size_t>(std::countr_zero(found)));
+      }
+      first += balls_of_a_set;
     }
   }
 
   PairDetector<Real> detector_;
-  std::vector<Row> rows_;
-  std::size_t balls_;
+  bool straight_;
+  std::vector<Group> groups_;
+  std::vector<Sets> sets_;
   Real now_s_{};
 };
 

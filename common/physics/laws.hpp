@@ -23,7 +23,8 @@ struct Bounce {
 
   /// The restitution of an approach at speed s > 0.
   Real at(Real s) const {
-    if (restitution == 1) return restitution;
+    // Most approaches are far too fast to be weak, and need no division to show it.
+    if (restitution == 1 || 2 * elastic_below_m_s < restitution * s) return restitution;
     const Real soft = elastic_below_m_s < s ? elastic_below_m_s / s : Real(1);
     return soft > restitution ? soft : restitution;
   }
@@ -232,6 +233,10 @@ Laws<Real>::Laws(const Scene& scene)
     : radius(Real(scene.ball.radius_m)), diameter(2 * Real(scene.ball.radius_m)), cloth(scene) {
   using std::sqrt;
   const Rails rails = rails_of(scene);
+  noses.reserve(rails.segments.size());
+  arcs.reserve(rails.arcs.size());
+  responses.reserve(rails.segments.size() + rails.arcs.size());
+  drops.reserve(rails.holes.size());
   for (const RailSegment& rail : rails.segments) {
     noses.push_back(nose_of<Real>(rail.nose));
     responses.push_back(std::visit(NoseReader<Real>{scene, rail.id}, rail.nose.model));

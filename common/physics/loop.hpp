@@ -86,6 +86,7 @@ class Loop {
     std::sort(balls.begin(), balls.end(), [](const Ball& a, const Ball& b) { return a.id < b.id; });
     shot_.segments.reserve(8 * balls.size() + 64);
     shot_.events.reserve(256);
+    bodies_.reserve(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i) {
       Moving<Real> moving{vec_of<Real>(balls[i].velocity),
                           {Real(balls[i].spin.x), Real(balls[i].spin.y), Real(balls[i].spin.z)}};
@@ -147,9 +148,8 @@ class Loop {
     calendar_.each_due(time_s, [this](std::uint32_t ball, const Appointment<Real>& appointment) {
       take_up(ball, appointment);
     });
-    const bool peace =
-        contacts_.settle(bodies_, time_s, [this](std::uint32_t ball) { add_touching(ball); });
-    for (const BasicEvent<Real>& event : contacts_.events()) shot_.events.push_back(event);
+    const bool peace = contacts_.settle(bodies_, time_s, shot_.events,
+                                        [this](std::uint32_t ball) { add_touching(ball); });
     for (const std::uint32_t ball : contacts_.balls()) touch(ball);
     drop_balls();
     last_balls_.clear();
@@ -273,6 +273,7 @@ class Loop {
   /// Gives every ball of the instant its new path and puts events and segments in order.
   void end_instant() {
     const std::size_t written = shot_.segments.size();
+    std::sort(touched_.begin(), touched_.end());
     for (const std::uint32_t ball : touched_) {
       const Path<Real> path = path_of(ball);
       calendar_.set(ball, path);
@@ -281,7 +282,7 @@ class Loop {
     calendar_.update();
     std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_), shot_.events.end(),
               comes_before<Real>);
-    if (shot_.segments.size() == written) return;
+    if (written == first_segment_) return;
     std::sort(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_),
               shot_.segments.end(), [](const auto& a, const auto& b) { return a.ball < b.ball; });
   }

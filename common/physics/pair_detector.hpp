@@ -13,36 +13,46 @@ inline constexpr double longest_span_s =
 template <class Real>
 class PairDetector {
  public:
-  explicit PairDetector(Real diameter)
-      : diameter_(diameter), reach_square_(diameter * Real(margin) * (diameter * Real(margin))) {}
+  /// No ball is faster than `top_speed`, m/s.
+  PairDetector(Real diameter, Real top_speed)
+      : diameter_(diameter),
+        reach_square_(diameter * Real(margin) * (diameter * Real(margin))),
+        unresolved_(16 * unresolved_speed(top_speed) * diameter) {}
 
   /// Above zero if two balls certainly do not come to meet within `span` seconds, one moving
   /// relative to the other from `d` at `w` with constant acceleration `a`: two axes may separate
-  /// them, the line of centres and the normal of their relative velocity. Balls that touch are
-  /// never apart on either. A margin covers rounding, so that what is decided here never differs
-  /// from what contact_time would say. Without branches: compilers take several pairs in one go.
-  Real separation(BasicVec2<Real> d, BasicVec2<Real> w, BasicVec2<Real> a, Real span) const {
-    const BasicVec2<Real> bend = a * (span * span / 2);
-    const Real straight = dot(d, w) * span;
+  /// them, the line of centres and the normal of their relative velocity; or they only part, even
+  /// if they touch. Margins cover rounding, so that what is decided here never differs from what
+  /// contact_time would say. Without branches: compilers take several pairs in one go.
+  template <class Number>
+  Number separation(BasicVec2<Number> d, BasicVec2<Number> w, BasicVec2<Number> a,
+                    Number span) const {
+    const Number half(Real(1) / 2);
+    const Number reach_square(reach_square_);
+    const Number after = span * span * half;
+    const Number square = dot(d, d);
+    const Number straight = dot(d, w) * span;
+    const Number last = straight + dot(d, a) * after;
+    const Number parts = smaller(straight, last) - Number(unresolved_) * span;
     // d . w t + d . a t^2 / 2 is nowhere less: at the end of the span, or where it turns before.
-    const Real least = smaller(smaller(straight / 2, straight + dot(d, bend)), Real(0));
-    const Real left = larger(dot(d, d) + least, Real(0));
-    const Real ahead = left * left - reach_square_ * dot(d, d);
-    const Real miss = larger(cross(d, w), cross(w, d));
-    const Real pass = larger(miss - larger(cross(bend, w), cross(w, bend)), Real(0));
-    const Real aside = pass * pass - reach_square_ * dot(w, w);
-    return larger(ahead, aside);
+    const Number left = square + smaller(straight * half, last);
+    const Number ahead = left * magnitude(left) - reach_square * square;
+    const Number pass = magnitude(cross(d, w)) - magnitude(cross(a, w) * after);
+    const Number aside = pass * magnitude(pass) - reach_square * dot(w, w);
+    return larger(parts, larger(ahead, aside));
   }
 
   /// The same where neither ball accelerates. Those that do not approach never meet, even if they
   /// touch.
-  Real separation(BasicVec2<Real> d, BasicVec2<Real> w, Real span) const {
-    const Real square = dot(d, d);
-    const Real approach = dot(d, w);
-    const Real left = larger(square + approach * span, Real(0));
-    const Real ahead = left * left - reach_square_ * square;
-    const Real miss = cross(d, w);
-    const Real aside = miss * miss - reach_square_ * dot(w, w);
+  template <class Number>
+  Number separation(BasicVec2<Number> d, BasicVec2<Number> w, Number span) const {
+    const Number reach_square(reach_square_);
+    const Number square = dot(d, d);
+    const Number approach = dot(d, w);
+    const Number left = square + approach * span;
+    const Number ahead = left * magnitude(left) - reach_square * square;
+    const Number miss = cross(d, w);
+    const Number aside = miss * miss - reach_square * dot(w, w);
     return larger(approach, larger(ahead, aside));
   }
 
@@ -56,6 +66,7 @@ class PairDetector {
 
   Real diameter_;
   Real reach_square_;
+  Real unresolved_;  ///< products of a distance of touching balls and a speed, m^2/s
 };
 
 }  // namespace breakshot::physics

@@ -39,16 +39,13 @@ struct JawShape {
   double trim_m() const { return nose_m * turn.sine / (1 + turn.cosine); }
 };
 
-bool is_side(std::size_t pocket) {
-  return pocket == 1 || pocket == 4;
-}
-
-JawShape shape_of(const JawedPockets& jaws, std::size_t pocket) {
-  if (is_side(pocket)) {
-    return {turn_of(jaws.side_cut_rad), jaws.side_shelf_m, jaws.side_nose_m, jaws.side_hole_m};
-  }
-  return {turn_of(jaws.corner_cut_rad), jaws.corner_shelf_m, jaws.corner_nose_m,
-          jaws.corner_hole_m};
+/// The shapes of all pockets' jaws.
+std::array<JawShape, pockets> shapes_of(const JawedPockets& jaws) {
+  const JawShape corner{turn_of(jaws.corner_cut_rad), jaws.corner_shelf_m, jaws.corner_nose_m,
+                        jaws.corner_hole_m};
+  const JawShape side{turn_of(jaws.side_cut_rad), jaws.side_shelf_m, jaws.side_nose_m,
+                      jaws.side_hole_m};
+  return {corner, side, corner, corner, side, corner};
 }
 
 CushionId jaw_id(std::size_t pocket, std::size_t side) {
@@ -108,26 +105,30 @@ constexpr std::array<Side, 6> sides{{{0, 2, 3, {0, 1}},
 
 Rails jawed(const Scene& scene, const JawedPockets& jaws, const CushionModel& model) {
   Rails rails;
+  rails.segments.reserve(3 * sides.size());
+  rails.arcs.reserve(2 * sides.size());
+  rails.holes.reserve(pockets);
+  const std::array<JawShape, pockets> shapes = shapes_of(jaws);
   std::array<Mouth, pockets> mouths;
   for (std::size_t p = 0; p < pockets; ++p) {
     mouths[p] = mouth_of(scene.bed, PocketId(static_cast<std::uint8_t>(p)), jaws.corner_mouth_m,
                          jaws.side_mouth_m);
   }
   for (const Side& side : sides) {
-    const Vec2 from = mouths[side.from].second + side.along * shape_of(jaws, side.from).trim_m();
-    const Vec2 to = mouths[side.to].first - side.along * shape_of(jaws, side.to).trim_m();
+    const Vec2 from = mouths[side.from].second + side.along * shapes[side.from].trim_m();
+    const Vec2 to = mouths[side.to].first - side.along * shapes[side.to].trim_m();
     rails.segments.push_back({CushionId(side.cushion), {from, to, model}});
   }
   for (const Side& side : sides) {
     const Mouth& before = mouths[side.from];
     const Mouth& after = mouths[side.to];
     add_jaw_before_cushion(rails, {before.second, side.along, jaw_id(side.from, 1), model},
-                           shape_of(jaws, side.from), before.outward);
+                           shapes[side.from], before.outward);
     add_jaw_after_cushion(rails, {after.first, side.along, jaw_id(side.to, 0), model},
-                          shape_of(jaws, side.to), after.outward);
+                          shapes[side.to], after.outward);
   }
   for (std::size_t p = 0; p < pockets; ++p) {
-    const JawShape shape = shape_of(jaws, p);
+    const JawShape& shape = shapes[p];
     const Vec2 middle = (mouths[p].first + mouths[p].second) * 0.5;
     rails.holes.push_back({PocketId(static_cast<std::uint8_t>(p)),
                            middle + mouths[p].outward * (shape.shelf_m + shape.hole_m),

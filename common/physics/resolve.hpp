@@ -34,7 +34,6 @@ class ContactSet {
   /// Begins a set at a new instant, or goes on with one at the same instant from `first_pass`.
   void begin(std::uint32_t first_pass) {
     contacts_.clear();
-    events_.clear();
     struck_.clear();
     pass_ = first_pass;
   }
@@ -70,10 +69,12 @@ class ContactSet {
     return between / length(between);
   }
 
-  /// Resolves the set. `touching(ball)` is called once for every ball that takes part and adds the
-  /// contacts that it has. False if the pass limit was reached.
+  /// Resolves the set and adds its events to `log`. `touching(ball)` is called once for every ball
+  /// that takes part and adds the contacts that it has. False if the pass limit was reached.
   template <class Touching>
-  bool settle(std::vector<Body<Real>>& bodies, Real time_s, Touching&& touching) {
+  bool settle(std::vector<Body<Real>>& bodies, Real time_s, std::vector<BasicEvent<Real>>& log,
+              const Touching& touching) {
+    if (contacts_.empty()) return true;
     std::size_t reached = 0;
     const std::uint32_t limit = pass_ + max_passes;
     // Every pass may bring in more balls, whose contacts come in with them.
@@ -85,12 +86,11 @@ class ContactSet {
         if (!contact.cushion && join(contact.b)) touching(contact.b);
       }
       if (pass_ == limit - max_passes) unresolved_ = resolution(bodies);
-      if (!pass(bodies, time_s) && !push_apart(bodies, time_s)) return true;
+      if (!pass(bodies, time_s, log) && !push_apart(bodies, time_s, log)) return true;
     }
   }
 
-  /// Events of the passes so far, and all balls that took part.
-  const std::vector<BasicEvent<Real>>& events() const { return events_; }
+  /// All balls that took part.
   const std::vector<std::uint32_t>& balls() const { return struck_; }
   std::uint32_t next_pass() const { return pass_; }
 
@@ -121,7 +121,7 @@ class ContactSet {
   }
 
   /// One pass over all contacts that approach. False if there is none.
-  bool pass(std::vector<Body<Real>>& bodies, Real time_s) {
+  bool pass(std::vector<Body<Real>>& bodies, Real time_s, std::vector<BasicEvent<Real>>& log) {
     approaching_.clear();
     for (Contact<Real>& contact : contacts_) {
       const Real speed = approach(bodies, contact, contact.normal);
@@ -134,22 +134,22 @@ class ContactSet {
     if (pass_ >= patient_passes && response_.wears(contacts_)) {
       stop_all(bodies);
     } else if (approaching_.size() == 1) {
-      resolve_connected(bodies, approaching_);
+      resolve_one(bodies, approaching_.front());
     } else {
       resolve_components(bodies);
     }
-    for (const Contact<Real>& contact : approaching_) append_event(bodies, contact, time_s);
+    for (const Contact<Real>& contact : approaching_) append_event(bodies, contact, time_s, log);
     return true;
   }
 
-  void append_event(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Real time_s) {
+  void append_event(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Real time_s,
+                    std::vector<BasicEvent<Real>>& log) const {
     ++bodies[c.a].collisions;
     if (c.cushion) {
-      events_.push_back(
-          BasicBallCushion<Real>{time_s, pass_, bodies[c.a].id, laws_.responses[c.b].id});
+      log.push_back(BasicBallCushion<Real>{time_s, pass_, bodies[c.a].id, laws_.responses[c.b].id});
     } else {
       ++bodies[c.b].collisions;
-      events_.push_back(BasicBallBall<Real>{time_s, pass_, bodies[c.a].id, bodies[c.b].id});
+      log.push_back(BasicBallBall<Real>{time_s, pass_, bodies[c.a].id, bodies[c.b].id});
     }
   }
 
@@ -191,14 +191,34 @@ class ContactSet {
     }
   }
 
-  /// Resolves one connected set with its perturbed normals. A contact that would still approach
-  /// along its true normal has its rotation taken back, and the pass is done again.
+  /// Resolves a contact with its perturbed normal. If it would still approach along its true
+  /// normal, the rotation is taken back and the contact resolved again.
+  void resolve_one(std::vector<Body<Real>>& bodies, const Contact<Real>& c) {
+    Real tilt = tilt_of(bodies, c);
+    Body<Real>& other = bodies[c.cushion ? c.a : c.b];
+    const Moving<Real> before = bodies[c.a].moving();
+    const Moving<Real> other_before = other.moving();
+    for (;;) {
+      response_.collide(bodies, c, turned(bodies, c, tilt));
+      if (tilt == 0 || !(approach(bodies, c, c.normal) > 0)) return;
+      tilt = 0;
+      bodies[c.a].moving() = before;
+      other.moving() = other_before;
+    }
+  }
+
+  /// Resolves one connected set likewise: if one contact would still approach, all are resolved
+  /// again without its rotation.
   void resolve_connected(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
+    if (set.size() == 1) return resolve_one(bodies, set.front());
     tilts_.clear();
     for (const Contact<Real>& contact : set) tilts_.push_back(tilt_of(bodies, contact));
     keep(bodies, set);
     for (;;) {
-      tilt(bodies, set);
+      normals_.clear();
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        normals_.push_back(turned(bodies, set[k], tilts_[k]));
+      }
       response_.collide(bodies, set, normals_);
       bool again = false;
       for (std::size_t k = 0; k < set.size(); ++k) {
@@ -223,19 +243,14 @@ class ContactSet {
                     {number(bodies[c.a].id), other, bodies[c.a].collisions, other_count}, key_)));
   }
 
-  /// Sets the normals of the pass; a normal along which the contact does not approach stays true.
-  void tilt(const std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
-    normals_.clear();
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      normals_.push_back(set[k].normal);
-      if (tilts_[k] == 0) continue;
-      const Vec turned = set[k].normal + perp(set[k].normal) * tilts_[k];
-      if (approach(bodies, set[k], turned) > 0) {
-        normals_.back() = turned / length(turned);
-      } else {
-        tilts_[k] = 0;
-      }
-    }
+  /// The normal of a contact, turned by `tilt`; if the contact does not approach along that, the
+  /// tilt becomes 0 and the normal stays true.
+  static Vec turned(const std::vector<Body<Real>>& bodies, const Contact<Real>& c, Real& tilt) {
+    if (tilt == 0) return c.normal;
+    const Vec normal = c.normal + perp(c.normal) * tilt;
+    if (approach(bodies, c, normal) > 0) return normal / length(normal);
+    tilt = 0;
+    return c.normal;
   }
 
   void keep(const std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
@@ -257,7 +272,8 @@ class ContactSet {
   /// accelerations. They separate at their hop's speed: a push becomes a bounded number of hops.
   /// And a predicted contact of which rounding has left no approach is logged all the same. False
   /// if there is neither.
-  bool push_apart(std::vector<Body<Real>>& bodies, Real time_s) {
+  bool push_apart(std::vector<Body<Real>>& bodies, Real time_s,
+                  std::vector<BasicEvent<Real>>& log) {
     bool any = false;
     for (Contact<Real>& contact : contacts_) {
       const Real speed = approach(bodies, contact, contact.normal);
@@ -269,7 +285,7 @@ class ContactSet {
         response_.apply(bodies, contact, contact.normal, contact.cushion ? change : change / 2);
       }
       if (rests || contact.predicted) {
-        append_event(bodies, contact, time_s);
+        append_event(bodies, contact, time_s, log);
         any = true;
       }
       contact.predicted = false;
@@ -285,7 +301,6 @@ class ContactSet {
   std::vector<Contact<Real>> contacts_;
   std::vector<Contact<Real>> approaching_;
   std::vector<std::uint32_t> struck_;
-  std::vector<BasicEvent<Real>> events_;
   // Of the connected set being resolved; kept between sets for their memory alone.
   std::vector<Vec> normals_;
   std::vector<Moving<Real>> before_;

@@ -46,19 +46,21 @@ class Response {
     return least.at(largest);
   }
 
-  /// Normal impulses along normals_, then what happens across them.
+  /// Normal impulses of a set of several along their normals, then what happens across them.
   void collide(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set,
                const std::vector<Vec>& normals) {
     const Real largest = read_rates(bodies, set, normals);
-    const Real restitution = restitution_of(set, largest);
-    if (set.size() == 1) {
-      collide_one(bodies, set[0], normals[0], largest, restitution);
-    } else {
-      apply_impulses(bodies, set, normals, 1 + restitution);
-      for (std::size_t k = 0; k < set.size(); ++k) hold(bodies, set[k], normals[k]);
-      rub(bodies, set, normals);
-    }
-    if (!laws_.cloth.spins()) forget_spin(bodies, set);
+    apply_impulses(bodies, set, normals, 1 + restitution_of(set, largest));
+    for (std::size_t k = 0; k < set.size(); ++k) hold(bodies, set[k], normals[k]);
+    rub(bodies, set, normals);
+    for (const Contact<Real>& contact : set) forget_spin(bodies, contact);
+  }
+
+  /// The direct path of nearly all contacts.
+  void collide(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal) const {
+    const Real speed = larger(Real(0), approach(bodies, c, normal));
+    collide_one(bodies, c, normal, speed, bounce_of(c).at(speed));
+    forget_spin(bodies, c);
   }
 
   /// Takes from a set all that approaches, and gives nothing back.
@@ -109,11 +111,10 @@ class Response {
   }
 
   /// A motion without spin keeps none between contacts either.
-  static void forget_spin(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set) {
-    for (const Contact<Real>& c : set) {
-      bodies[c.a].spin = {};
-      if (!c.cushion) bodies[c.b].spin = {};
-    }
+  void forget_spin(std::vector<Body<Real>>& bodies, const Contact<Real>& c) const {
+    if (laws_.cloth.spins()) return;
+    bodies[c.a].spin = {};
+    if (!c.cushion) bodies[c.b].spin = {};
   }
 
   /// Normal impulses: `factor` times those after which no contact of the set approaches.
@@ -128,9 +129,8 @@ class Response {
     }
   }
 
-  /// The direct path of nearly all contacts.
   void collide_one(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal, Real speed,
-                   Real restitution) {
+                   Real restitution) const {
     const Real factor = 1 + restitution;
     if (c.cushion) {
       const NoseResponse<Real>& nose = laws_.responses[c.b];

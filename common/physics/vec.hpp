@@ -69,7 +69,7 @@ constexpr BasicVec2<Real> perp(BasicVec2<Real> a) {
 
 /// The length where squares underflow or overflow.
 template <class Real>
-Real scaled_length(BasicVec2<Real> a) {
+[[gnu::cold]] Real scaled_length(BasicVec2<Real> a) {
   using std::sqrt;
   const Real ax = a.x < 0 ? -a.x : a.x;
   const Real ay = a.y < 0 ? -a.y : a.y;

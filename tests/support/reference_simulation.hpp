@@ -244,8 +244,7 @@ class ReferenceSimulation {
     if (!again) first_ = events.size();
     for (const Due& due : due_) take_up(due);
     const bool peace =
-        contacts_.settle(bodies_, time, [this](std::uint32_t i) { add_touching(i); });
-    for (const Event& event : contacts_.events()) events.push_back(event);
+        contacts_.settle(bodies_, time, events, [this](std::uint32_t i) { add_touching(i); });
     for (const std::uint32_t ball : contacts_.balls()) touched_.push_back(ball);
     drop();
     std::sort(touched_.begin(), touched_.end());

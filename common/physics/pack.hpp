@@ -1,0 +1,104 @@
+// A few numbers that are worked on at once, where the processor can: one instruction then serves
+// several balls. Every number is rounded as it would be alone. Other scalars than float and double
+// go one by one.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+namespace breakshot::physics {
+
+/// The vectors that every x86-64 and most other processors have: 16 bytes.
+template <class Real>
+struct NativePack {
+  using Type = Real;
+};
+template <>
+struct NativePack<double> {
+  using Type [[gnu::vector_size(16)]] = double;
+};
+template <>
+struct NativePack<float> {
+  using Type [[gnu::vector_size(16)]] = float;
+};
+
+template <class Real>
+class Pack {
+  using Native = typename NativePack<Real>::Type;
+  using Integers [[gnu::vector_size(16)]] = std::uint64_t;
+
+ public:
+  static constexpr std::size_t size = sizeof(Native) / sizeof(Real);
+
+  Pack() = default;
+  /// All numbers the same.
+  explicit Pack(Real number) : numbers_(number - Native{}) {}
+
+  Real operator[](std::size_t i) const {
+    if constexpr (size == 1)
+      return numbers_;
+    else
+      return numbers_[i];
+  }
+  void set(std::size_t i, Real number) {
+    if constexpr (size == 1)
+      numbers_ = number;
+    else
+      numbers_[i] = number;
+  }
+
+  friend Pack operator+(Pack a, Pack b) { return of(a.numbers_ + b.numbers_); }
+  friend Pack operator-(Pack a, Pack b) { return of(a.numbers_ - b.numbers_); }
+  friend Pack operator*(Pack a, Pack b) { return of(a.numbers_ * b.numbers_); }
+
+  friend Pack smaller(Pack a, Pack b) {
+    return of(b.numbers_ < a.numbers_ ? b.numbers_ : a.numbers_);
+  }
+  friend Pack larger(Pack a, Pack b) {
+    return of(a.numbers_ < b.numbers_ ? b.numbers_ : a.numbers_);
+  }
+
+  friend Pack magnitude(Pack a) {
+    if constexpr (size == 1) {
+      return of(a.numbers_ < 0 ? -a.numbers_ : a.numbers_);
+    } else {
+      const Native sign = -Native{};
+      return of(std::bit_cast<Native>(std::bit_cast<Integers>(a.numbers_) &
+                                      ~std::bit_cast<Integers>(sign)));
+    }
+  }
+
+  /// One bit for every number that is not above that of `b`.
+  friend std::uint64_t not_above(Pack a, Pack b) {
+    if constexpr (size == 1) {
+      return !(a.numbers_ > b.numbers_);
+#ifdef __SSE2__
+    } else if constexpr (std::is_same_v<Real, double>) {
+      return static_cast<std::uint64_t>(_mm_movemask_pd(_mm_cmpngt_pd(a.numbers_, b.numbers_)));
+    } else if constexpr (std::is_same_v<Real, float>) {
+      return static_cast<std::uint64_t>(_mm_movemask_ps(_mm_cmpngt_ps(a.numbers_, b.numbers_)));
+#endif
+    } else {
+      std::uint64_t bits = 0;
+      for (std::size_t i = 0; i < size; ++i) bits |= std::uint64_t{!(a[i] > b[i])} << i;
+      return bits;
+    }
+  }
+
+ private:
+  static Pack of(Native numbers) {
+    Pack pack;
+    pack.numbers_ = numbers;
+    return pack;
+  }
+
+  Native numbers_{};
+};
+
+}  // namespace breakshot::physics
