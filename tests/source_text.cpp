@@ -35,7 +35,9 @@ std::size_t skip_from(std::string_view text, std::size_t at) {
   if (rest.starts_with("R\"") && !after_word) {
     const auto open = text.find('(', at);
     if (open == std::string_view::npos) return text.size();
-    return past(")" + std::string(text.substr(at + 2, open - at - 2)) + "\"", open);
+    std::string mark(1, ')');
+    mark.append(text.substr(at + 2, open - at - 2)).push_back('"');
+    return past(mark, open);
   }
   if (rest.empty() || (rest[0] != '"' && (rest[0] != '\'' || after_word))) return at;
   std::size_t end = at + 1;
