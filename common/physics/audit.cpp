@@ -16,6 +16,7 @@ class Auditor {
   Auditor(const Scene& scene, const Shot& shot)
       : scene_(scene), shot_(shot), laws_(scene), balls_(Timeline(shot).balls()) {
     now_.resize(balls_.size());
+    coordinates_.resize(balls_.size());
   }
 
   Audit run() {
@@ -45,7 +46,9 @@ class Auditor {
 
   void take() {
     const Segment& segment = shot_.segments[segment_++];
-    now_[index_of(segment.ball)] = segment;
+    const std::size_t ball = index_of(segment.ball);
+    now_[ball] = segment;
+    coordinates_[ball] = larger(coordinates_[ball], largest_coordinate(segment.position));
   }
 
   void skip_events(double time_s) {
@@ -91,27 +94,38 @@ class Auditor {
     return scene_.ball.mass_kg * apart * apart / 2;
   }
 
+  /// A ball, and the largest coordinate from which it has come: no place on a path is more exact
+  /// than where the path starts.
+  struct Placed {
+    Vec2 place;
+    double coordinate_m;
+  };
+
   void check_overlaps(double time_s) {
-    std::vector<Vec2> places;
-    for (const Segment& segment : now_) {
-      if (segment.phase != Phase::pocketed) places.push_back(position_at(segment, time_s));
+    std::vector<Placed> balls;
+    for (std::size_t i = 0; i < now_.size(); ++i) {
+      if (now_[i].phase == Phase::pocketed) continue;
+      const Vec2 place = position_at(now_[i], time_s);
+      balls.push_back({place, larger(coordinates_[i], largest_coordinate(place))});
     }
-    for (const Vec2 place : places) check_cushions(place, time_s);
+    for (const Placed& ball : balls) check_cushions(ball, time_s);
     if (!laws_.ball_ball) return;
-    std::sort(places.begin(), places.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      for (std::size_t j = i + 1; j < places.size(); ++j) {
-        if (places[j].x - places[i].x > laws_.diameter) break;
-        deepen(laws_.diameter - length(places[j] - places[i]),
-               larger(largest_coordinate(places[i]), largest_coordinate(places[j])), time_s);
+    std::sort(balls.begin(), balls.end(),
+              [](const Placed& a, const Placed& b) { return a.place.x < b.place.x; });
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      for (std::size_t j = i + 1; j < balls.size(); ++j) {
+        const Vec2 between = balls[j].place - balls[i].place;
+        if (between.x > laws_.diameter) break;
+        deepen(laws_.diameter - length(between),
+               larger(balls[i].coordinate_m, balls[j].coordinate_m), time_s);
       }
     }
   }
 
   /// Inside a rectangle no cushion line may be passed; any other cushion only counts where the
   /// ball's centre is in front of it.
-  void check_cushions(Vec2 place, double time_s) {
-    const double coordinate = largest_coordinate(place);
+  void check_cushions(const Placed& ball, double time_s) {
+    const auto& [place, coordinate] = ball;
     const bool enclosed = laws_.inside && laws_.drops.empty();
     for (const Nose<double>& nose : laws_.noses) {
       const Vec2 offset = place - nose.from;
@@ -139,6 +153,7 @@ class Auditor {
   Laws<double> laws_;
   std::vector<BallId> balls_;
   std::vector<Segment> now_;
+  std::vector<double> coordinates_;  ///< the largest that each ball has had, m
   double top_speed_ = 0;
   std::size_t segment_ = 0;
   std::size_t event_ = 0;

@@ -16,8 +16,9 @@ struct Audit {
   double worst_rise_J = 0;
   /// The deepest overlap of two balls, or of a ball and a cushion, at any instant with events, m.
   double worst_penetration_m = 0;
-  /// How much of an overlap is beyond what rounding explains: 8 ulp of the coordinates and the way
-  /// of the fastest ball in 2 ulp of the time, m; 0 when none is.
+  /// How much of an overlap is beyond what rounding explains: 8 ulp of the largest coordinate that
+  /// its balls have had so far and the way of the fastest ball in 2 ulp of the time, m; 0 when none
+  /// is.
   double worst_excess_m = 0;
 };
 
