@@ -12,10 +12,10 @@
 namespace breakshot::physics {
 
 /// Up to this many balls the table calendar is the faster one; the outcome has the same bits.
-/// Instructions an event of table and cells, gases of bench/gas_bench.cpp: 16 discs 6,600 and
-/// 6,600, 24 discs 8,100 and 7,000, 64 discs 15,600 and 7,500; breaks with the full model: 16 balls
-/// 6,700 and 9,300, 22 balls 8,000 and 8,600, 29 balls 8,500 and 8,600, 37 balls 9,300 and 8,000.
-inline constexpr std::size_t most_balls_at_a_table = 24;
+/// Instructions an event of table and cells, gases of bench/gas_bench.cpp: 16 discs 5,100 and
+/// 6,300, 24 discs 5,900 and 6,600, 32 discs 6,800 and 7,000, 48 discs 8,400 and 7,200; breaks with
+/// the full model: 16 balls 5,500 and 8,100, 29 balls 6,300 and 7,700, 37 balls 6,900 and 7,200.
+inline constexpr std::size_t most_balls_at_a_table = 36;
 
 template <class Real>
 class BasicSimulation {
