@@ -1,7 +1,7 @@
 // Two hundred shots through every model, whose digests are in set.digests. Shots 0 to 164 are every
 // combination of 3 motions, 5 contacts between balls (none among them) and 11 cushions (none; five
-// models, round a rectangle and as free segments and arcs); 35 more have 25 to 59 balls, which the
-// cells of the physics keep. Pockets, perturbation, tips, spin, tables and places are drawn.
+// models, round a rectangle and as free segments and arcs); 35 more have 25 to 59 balls, for both
+// calendars of the physics. Pockets, perturbation, tips, spin, tables and places are drawn.
 //
 // The shots are frozen: nothing here uses a default, a table or a function of the physics, except
 // for its values. A phenomenon that is added gets shots of its own after these.

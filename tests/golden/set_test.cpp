@@ -132,7 +132,7 @@ TEST(GoldenSet, HasTipsTablesOfEverySizeAndTwoToManyBalls) {
   }
   EXPECT_EQ(lengths_m, (std::set<double>{0.6, 1.9812, 2.3368, 2.54, 2.84, 3.569, 40}));
   EXPECT_EQ(*counts.begin(), 2u);
-  EXPECT_GE(*counts.rbegin(), 50u) << "the cells keep more balls than " << most_balls_at_a_table;
+  EXPECT_GE(*counts.rbegin(), most_balls_at_a_table + 10) << "the cells keep too few of the shots";
   EXPECT_GE(tips, 10);
   EXPECT_GE(spinning, 10);
 }
