@@ -37,4 +37,12 @@ std::optional<double> instructions_a_shot(const std::vector<std::string>& simula
   return (*all - *none) / static_cast<double>(count);
 }
 
+std::optional<double> instructions_a_shot_between(const std::vector<std::string>& simulate,
+                                                  std::size_t few, std::size_t many) {
+  const auto less = counted(simulate, few);
+  const auto more = counted(simulate, many);
+  if (!less || !more) return std::nullopt;
+  return (*more - *less) / static_cast<double>(many - few);
+}
+
 }  // namespace breakshot::bench

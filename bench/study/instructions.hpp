@@ -13,4 +13,8 @@ namespace breakshot::bench {
 std::optional<double> instructions_a_shot(const std::vector<std::string>& simulate, double one_s,
                                           std::size_t shots);
 
+/// The same from two runs of so many shots.
+std::optional<double> instructions_a_shot_between(const std::vector<std::string>& simulate,
+                                                  std::size_t few, std::size_t many);
+
 }  // namespace breakshot::bench

@@ -36,8 +36,9 @@ struct Options {
 void run_measure(const Options& options) {
   std::filesystem::create_directories(options.data);
   bench::StudyFiles files(options.data);
-  bench::measure(
-      files, {options.full, std::filesystem::canonical("/proc/self/exe").string(), show_progress});
+  bench::measure(files,
+                 {options.full, std::filesystem::canonical("/proc/self/exe").parent_path().string(),
+                  show_progress});
 }
 
 std::string text_of(const std::string& path) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 #include <memory>
+#include <utility>
 
 #include "bench/study/instructions.hpp"
 #include "bench/study/point.hpp"
@@ -158,9 +159,10 @@ void measure_point(Studied& set, const Point& point, const Row& key, StudyFiles&
   row["processor"] = processor();
   // Callgrind computes long double in 64 bits: what is counted would be something else.
   if (point.the_scalar() != study::Scalar::long_double) {
-    const auto instructions = instructions_a_shot(
-        {options.program, "simulate", set.name(), point.method, point.scalar, point.step_s}, one_s,
-        set.shots().size());
+    const auto instructions =
+        instructions_a_shot({options.folder + "/study", "simulate", set.name(), point.method,
+                             point.scalar, point.step_s},
+                            one_s, set.shots().size());
     if (instructions) row["instructions"] = shown(*instructions);
   }
   sum.put(row);
@@ -192,10 +194,22 @@ void measure_variation(Studied& set, std::size_t index, const Row& key, StudyFil
   row["cpu_us"] = shown(1e6 * one_s);
   row["events"] = shown(static_cast<double>(events) / static_cast<double>(set.shots().size()));
   const auto instructions = instructions_a_shot(
-      {options.program, "simulate", set.name(), std::to_string(index)}, one_s, set.shots().size());
+      {options.folder + "/study", "simulate", set.name(), std::to_string(index)}, one_s,
+      set.shots().size());
   if (instructions) row["instructions"] = shown(*instructions);
   if (variation.same_balls) sum.put_outcome(row);
   files.needs.add(row);
+}
+
+/// A break on straight paths, without jaws or friction at contacts.
+constexpr const char* plain_scene = "break_8ft.json";
+
+void measure_engine(const Row& key, StudyFiles& files, const StudyOptions& options) {
+  Row row = key;
+  const auto instructions =
+      instructions_a_shot_between({options.folder + "/" + key.at("program"), plain_scene}, 20, 120);
+  if (instructions) row["instructions"] = shown(*instructions);
+  files.engines.add(row);
 }
 
 /// A row that is to be there.
@@ -216,7 +230,8 @@ StudyFiles::StudyFiles(const std::string& directory)
                                          "balls", "wrong", "time_s", "position_m"}),
       needs(directory + "/requires.csv",
             {"set", "phenomenon", "choice", "shots", "cpu_us", "instructions", "events",
-             "first_contact", "cushions", "pocketed", "outcome"}) {}
+             "first_contact", "cushions", "pocketed", "outcome"}),
+      engines(directory + "/engines.csv", {"engine", "program", "instructions"}) {}
 
 void measure(StudyFiles& files, const StudyOptions& options) {
   std::vector<Task> tasks;
@@ -248,6 +263,13 @@ void measure(StudyFiles& files, const StudyOptions& options) {
                        files.needs.find(key) != nullptr,
                        [=, &files] { measure_variation(*studied, i, key, files, options); }});
     }
+  }
+  for (const auto& [engine, program] :
+       {std::pair{"with everything", "count_breaks"},
+        std::pair{"without spin or friction of contacts or jaws", "count_breaks_plain"}}) {
+    const Row key = {{"engine", engine}, {"program", program}};
+    tasks.push_back({"a plain break by " + std::string(program), files.engines.find(key) != nullptr,
+                     [=, &files, &options] { measure_engine(key, files, options); }});
   }
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     options.progress(i, tasks.size(), tasks[i].what);

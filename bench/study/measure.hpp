@@ -1,6 +1,6 @@
 // Runs the study and keeps what it finds in CSV files: points.csv has a row for each set and way to
 // simulate it, errors.csv its errors by the number of contacts, requires.csv the full model with
-// phenomena left out.
+// phenomena left out, engines.csv a plain break by an engine that has them and by one that has not.
 #pragma once
 
 #include <functional>
@@ -17,11 +17,12 @@ struct StudyFiles {
   TableFile points;
   TableFile errors;
   TableFile needs;
+  TableFile engines;
 };
 
 struct StudyOptions {
   bool full = false;
-  std::string program;  ///< this one, for counting instructions
+  std::string folder;  ///< of this program, and of others that count instructions
   /// Called before each row with how many are done, of how many, and what comes next.
   std::function<void(std::size_t done, std::size_t all, const std::string& next)> progress;
 };

@@ -237,6 +237,14 @@ std::string needs_table(const StudyFiles& files) {
   return table.text();
 }
 
+std::string engines_table(const StudyFiles& files) {
+  Table table({"engine", "instructions a break"});
+  for (const Row& row : files.engines.rows()) {
+    table.add({row.at("engine"), grouped(number_in(row, "instructions"))});
+  }
+  return table.text();
+}
+
 std::string table_named(const std::string& name, const StudyFiles& files) {
   if (name == "machine") return machine(files);
   if (name == "sets") return sets_table(files);
@@ -244,6 +252,7 @@ std::string table_named(const std::string& name, const StudyFiles& files) {
   if (name == "growth") return growth_table(files);
   if (name == "winners") return winners_table(files);
   if (name == "requires") return needs_table(files);
+  if (name == "engines") return engines_table(files);
   if (name.starts_with("methods ")) return methods_table(files, name.substr(8));
   throw std::runtime_error("the page asks for a table that there is not: " + name);
 }

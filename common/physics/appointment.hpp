@@ -64,6 +64,7 @@ class OwnEvents {
   }
 
   Appointment<Real> first_circle(const Path<Real>& path, Appointment<Real> first) const {
+    if (plain_engine) return first;
     for (std::uint32_t i = 0; i < laws_.arcs.size(); ++i) {
       const Arc<Real>& arc = laws_.arcs[i];
       if (stays_away(path, arc.centre, arc.distance, first.time_s)) continue;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "common/physics/impact.hpp"
+#include "common/physics/phenomena.hpp"
 #include "common/physics/scene.hpp"
 #include "common/physics/segment.hpp"
 
@@ -54,13 +55,13 @@ class Cloth {
   bool slows() const { return friction_; }
 
   /// Whether balls have spin.
-  bool spins() const { return spins_; }
+  bool spins() const { return !plain_engine && spins_; }
 
   /// The path of a ball that leaves `position` so at `time_s`.
   Path<Real> path_from(BallId ball, Real time_s, BasicVec2<Real> position,
                        const Moving<Real>& moving) const {
-    return spins_ ? spinning_from(ball, time_s, position, moving)
-                  : straight_from(ball, time_s, position, moving.velocity);
+    return spins() ? spinning_from(ball, time_s, position, moving)
+                   : straight_from(ball, time_s, position, moving.velocity);
   }
 
   /// The path after the end of a phase: slides become rolls, rolls end in rest or spin, spin in
@@ -68,7 +69,7 @@ class Cloth {
   Path<Real> path_after(const Path<Real>& ended) const {
     const BasicSegment<Real>& s = ended.segment;
     const BasicVec2<Real> position = position_at(s, ended.end_s);
-    if (s.phase == Phase::slide && spins_) {
+    if (s.phase == Phase::slide && spins()) {
       const BasicVec2<Real> velocity = s.velocity - slip_of(s.velocity, s.spin) * (Real(2) / 7);
       const Real speed = length(velocity);
       if (speed > unresolved_speed(ended.speed)) {
@@ -86,7 +87,7 @@ class Cloth {
   /// The acceleration of a ball that moves so.
   BasicVec2<Real> acceleration_of(const Moving<Real>& moving) const {
     const Real speed = length(moving.velocity);
-    if (spins_) {
+    if (spins()) {
       const BasicVec2<Real> slip = slip_of(moving.velocity, moving.spin);
       const Real slip_speed = length(slip);
       if (slip_speed > unresolved_slip(speed, moving.spin)) {
@@ -170,7 +171,7 @@ class Cloth {
     const BasicVec2<Real> velocity = direction * speed;
     const BasicVec2<Real> a = direction * -roll_deceleration_;
     path.segment = {ball, Phase::roll, time_s, position, velocity, a, {}, {}};
-    if (spins_) {
+    if (spins()) {
       path.segment.spin = {-velocity.y / radius_, velocity.x / radius_, vertical_spin};
       path.segment.spin_change = {-a.y / radius_, a.x / radius_, spin_decay(vertical_spin)};
     }

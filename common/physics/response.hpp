@@ -29,6 +29,7 @@ class Response {
   }
 
   Touch touch_of(const Contact<Real>& c) const {
+    if (plain_engine) return Touch::smooth;
     return c.cushion ? laws_.responses[c.b].touch : laws_.ball_ball->touch;
   }
 
@@ -135,7 +136,7 @@ class Response {
     if (c.cushion) {
       const NoseResponse<Real>& nose = laws_.responses[c.b];
       Moving<Real>& ball = bodies[c.a].moving();
-      switch (nose.touch) {
+      switch (touch_of(c)) {
         case Touch::smooth:
           apply(bodies, c, normal, factor * speed);
           hold(bodies, c, normal);
@@ -150,12 +151,12 @@ class Response {
           ball = after_stronge2000(ball, normal, restitution, nose.law);
           return;
       }
-    } else if (laws_.ball_ball->touch == Touch::integrated) {
+    } else if (touch_of(c) == Touch::integrated) {
       collide_mathavan2014(bodies[c.a].moving(), bodies[c.b].moving(), normal, restitution,
                            laws_.ball_ball->law);
     } else {
       apply(bodies, c, normal, factor / 2 * speed);
-      if (laws_.ball_ball->touch == Touch::smooth) return;
+      if (touch_of(c) == Touch::smooth) return;
       const PairLaw<Real>& law = laws_.ball_ball->law;
       push_pair(bodies, c, normal,
                 pair_friction(bodies[c.a].moving(), bodies[c.b].moving(), normal,
