@@ -10,6 +10,8 @@ namespace {
 
 /// Medians of fewer balls say nothing.
 constexpr double fewest_balls = 8;
+/// From fewer contacts than these no growth can be taken.
+constexpr std::size_t fewest_steps = 3;
 /// Where more balls than this have met something else, what is left is no sample.
 constexpr double most_wrong = 0.25;
 
@@ -91,7 +93,7 @@ std::optional<Growth> growth_of(const StudyFiles& files, const Row& point) {
     last_m = *error_m;
     growth.to = k;
   }
-  if (growth.to == growth.from) return std::nullopt;
+  if (growth.to < growth.from + fewest_steps) return std::nullopt;
   growth.factor =
       std::pow(last_m / growth.first_m, 1 / static_cast<double>(growth.to - growth.from));
   return growth;

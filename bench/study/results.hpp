@@ -35,7 +35,7 @@ struct Growth {
   double factor = 0;     ///< for each further one
 };
 
-/// None if there are not two such contacts.
+/// None if there are not enough such contacts.
 std::optional<Growth> growth_of(const StudyFiles& files, const Row& point);
 
 }  // namespace breakshot::bench
