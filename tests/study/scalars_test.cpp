@@ -55,7 +55,7 @@ TEST(Scalars, ErrByTheirDigitsAndAgreeOnTheFirstContacts) {
 
 TEST(Scalars, RunEveryModelAndManyBalls) {
   support::Setting gas{support::gas(), {}, {}, {}, support::until(1)};
-  for (std::uint32_t k = 0; k < 36; ++k) {  // more than the table calendar is for
+  for (std::uint32_t k = 0; k < physics::most_balls_at_a_table + 8; ++k) {
     gas.state.balls.push_back(
         support::ball(k, {0.1 * (k % 6), 0.1 * (k / 6)}, {k % 2 ? 0.3 : -0.3, k % 3 ? 0.2 : -0.1}));
   }
