@@ -8,10 +8,6 @@
 #include <cstdint>
 #include <type_traits>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 namespace breakshot::physics {
 
 /// The vectors that every x86-64 and most other processors have: 16 bytes.
@@ -80,9 +76,7 @@ class Pack {
       return !(a.numbers_ > b.numbers_);
 #ifdef __SSE2__
     } else if constexpr (std::is_same_v<Real, double>) {
-      return static_cast<std::uint64_t>(_mm_movemask_pd(_mm_cmpngt_pd(a.numbers_, b.numbers_)));
-    } else if constexpr (std::is_same_v<Real, float>) {
-      return static_cast<std::uint64_t>(_mm_movemask_ps(_mm_cmpngt_ps(a.numbers_, b.numbers_)));
+      return 3u & ~__builtin_ia32_movmskpd(std::bit_cast<Native>(a.numbers_ > b.numbers_));
 #endif
     } else {
       std::uint64_t bits = 0;

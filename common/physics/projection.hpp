@@ -11,14 +11,19 @@
 namespace breakshot::physics {
 
 /// Finds the smallest l >= 0 with rates + gram l >= 0 and l (rates + gram l) = 0, each to rounding.
+/// Kept between sets for its memory alone.
 template <class Real>
 class NonNegativeImpulses {
  public:
   /// `gram` is symmetric and row-major, `rates` has one entry a contact, negative for an approach.
-  NonNegativeImpulses(const std::vector<Real>& gram, const std::vector<Real>& rates)
-      : gram_(gram), rates_(rates), size_(rates.size()), impulses_(size_), dependent_(size_) {}
-
-  const std::vector<Real>& solve() {
+  /// The answer holds until the next question.
+  const std::vector<Real>& solve(const std::vector<Real>& gram, const std::vector<Real>& rates) {
+    gram_ = gram;
+    rates_ = rates;
+    size_ = rates.size();
+    impulses_.assign(size_, Real(0));
+    dependent_.assign(size_, false);
+    active_.clear();
     // Each step adds a contact for good or removes one and lowers the residual; this bound is
     // Lawson and Hanson's practical one.
     for (std::size_t step = 0; step < 3 * size_ + 8; ++step) {
@@ -67,48 +72,49 @@ class NonNegativeImpulses {
   void settle() {
     while (!active_.empty()) {
       if (!factor()) continue;
-      std::vector<Real> wanted = solve_factored(minus_rates());
-      refine(wanted);
+      set_to_minus_rates(wanted_);
+      solve_factored(wanted_);
+      refine();
       Real step = 1;
       for (std::size_t i = 0; i < active_.size(); ++i) {
         const Real now = impulses_[active_[i]];
-        if (wanted[i] <= 0 && now < step * (now - wanted[i])) step = now / (now - wanted[i]);
+        if (wanted_[i] <= 0 && now < step * (now - wanted_[i])) step = now / (now - wanted_[i]);
       }
       for (std::size_t i = 0; i < active_.size(); ++i) {
         Real& impulse = impulses_[active_[i]];
-        impulse = step == 1 ? wanted[i] : impulse + step * (wanted[i] - impulse);
+        impulse = step == 1 ? wanted_[i] : impulse + step * (wanted_[i] - impulse);
       }
-      if (step == 1 && none_pulls(wanted)) return;
-      drop_pulling(wanted);
+      if (step == 1 && none_pulls()) return;
+      drop_pulling();
     }
   }
 
-  bool none_pulls(const std::vector<Real>& wanted) const {
-    for (const Real& impulse : wanted) {
+  bool none_pulls() const {
+    for (const Real& impulse : wanted_) {
       if (impulse <= 0) return false;
     }
     return true;
   }
 
-  void drop_pulling(const std::vector<Real>& wanted) {
+  void drop_pulling() {
     const Real negligible = 16 * std::numeric_limits<Real>::epsilon();
     Real largest = 0;
     for (const std::size_t k : active_) largest = impulses_[k] > largest ? impulses_[k] : largest;
-    std::vector<std::size_t> kept;
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < active_.size(); ++i) {
-      if (wanted[i] <= 0 && impulses_[active_[i]] <= negligible * largest) {
-        impulses_[active_[i]] = 0;
+      const std::size_t k = active_[i];
+      if (wanted_[i] <= 0 && impulses_[k] <= negligible * largest) {
+        impulses_[k] = 0;
       } else {
-        kept.push_back(active_[i]);
+        active_[kept++] = k;
       }
     }
-    active_ = kept;
+    active_.resize(kept);
   }
 
-  std::vector<Real> minus_rates() const {
-    std::vector<Real> right;
+  void set_to_minus_rates(std::vector<Real>& right) const {
+    right.clear();
     for (const std::size_t k : active_) right.push_back(-rates_[k]);
-    return right;
   }
 
   /// Cholesky's factor of the active part of the Gram matrix. A contact that depends on the others
@@ -139,7 +145,7 @@ class NonNegativeImpulses {
     return true;
   }
 
-  std::vector<Real> solve_factored(std::vector<Real> x) const {
+  void solve_factored(std::vector<Real>& x) const {
     const std::size_t n = active_.size();
     for (std::size_t row = 0; row < n; ++row) {
       for (std::size_t k = 0; k < row; ++k) x[row] -= factor_[row * n + k] * x[k];
@@ -149,28 +155,29 @@ class NonNegativeImpulses {
       for (std::size_t k = row + 1; k < n; ++k) x[row] -= factor_[k * n + row] * x[k];
       x[row] /= factor_[row * n + row];
     }
-    return x;
   }
 
   /// One step of iterative refinement takes the error of the factor out.
-  void refine(std::vector<Real>& wanted) const {
-    std::vector<Real> error = minus_rates();
+  void refine() {
+    set_to_minus_rates(error_);
     for (std::size_t i = 0; i < active_.size(); ++i) {
       for (std::size_t k = 0; k < active_.size(); ++k) {
-        error[i] -= entry(active_[i], active_[k]) * wanted[k];
+        error_[i] -= entry(active_[i], active_[k]) * wanted_[k];
       }
     }
-    error = solve_factored(error);
-    for (std::size_t i = 0; i < active_.size(); ++i) wanted[i] += error[i];
+    solve_factored(error_);
+    for (std::size_t i = 0; i < active_.size(); ++i) wanted_[i] += error_[i];
   }
 
-  const std::vector<Real>& gram_;
-  const std::vector<Real>& rates_;
-  std::size_t size_;
+  std::vector<Real> gram_;
+  std::vector<Real> rates_;
+  std::size_t size_ = 0;
   std::vector<Real> impulses_;
   std::vector<bool> dependent_;
   std::vector<std::size_t> active_;
   std::vector<Real> factor_;
+  std::vector<Real> wanted_;
+  std::vector<Real> error_;
 };
 
 }  // namespace breakshot::physics

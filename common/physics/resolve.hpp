@@ -169,26 +169,37 @@ class ContactSet {
 
   /// Splits the pass into connected sets, each solved on its own, contacts sorted by place.
   void resolve_components(std::vector<Body<Real>>& bodies) {
-    std::vector<Contact<Real>> rest = approaching_;
-    sort_by_place(rest);
-    while (!rest.empty()) {
-      std::vector<Contact<Real>> connected = {rest.front()};
-      std::vector<bool> taken(rest.size());
-      taken[0] = true;
-      for (std::size_t i = 0; i < connected.size(); ++i) {
-        for (std::size_t k = 0; k < rest.size(); ++k) {
-          if (!taken[k] && share_a_ball(connected[i], rest[k])) {
-            taken[k] = true;
-            connected.push_back(rest[k]);
-          }
+    rest_ = approaching_;
+    sort_by_place(rest_);
+    while (!rest_.empty()) {
+      take_connected();
+      resolve_connected(bodies, set_);
+    }
+  }
+
+  /// Moves all that is connected with the first of rest_ to set_, in the same order.
+  void take_connected() {
+    taken_.assign(rest_.size(), false);
+    taken_[0] = true;
+    connected_.assign(1, 0);
+    for (std::size_t i = 0; i < connected_.size(); ++i) {
+      for (std::size_t k = 0; k < rest_.size(); ++k) {
+        if (!taken_[k] && share_a_ball(rest_[connected_[i]], rest_[k])) {
+          taken_[k] = true;
+          connected_.push_back(k);
         }
       }
-      std::vector<Contact<Real>> set;
-      std::vector<Contact<Real>> others;
-      for (std::size_t k = 0; k < rest.size(); ++k) (taken[k] ? set : others).push_back(rest[k]);
-      resolve_connected(bodies, set);
-      rest = std::move(others);
     }
+    set_.clear();
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
+      if (taken_[k]) {
+        set_.push_back(rest_[k]);
+      } else {
+        rest_[left++] = rest_[k];
+      }
+    }
+    rest_.resize(left);
   }
 
   /// Resolves a contact with its perturbed normal. If it would still approach along its true
@@ -301,7 +312,11 @@ class ContactSet {
   std::vector<Contact<Real>> contacts_;
   std::vector<Contact<Real>> approaching_;
   std::vector<std::uint32_t> struck_;
-  // Of the connected set being resolved; kept between sets for their memory alone.
+  // Of the pass and of the connected set being resolved; kept between sets for their memory alone.
+  std::vector<Contact<Real>> rest_;
+  std::vector<Contact<Real>> set_;
+  std::vector<bool> taken_;
+  std::vector<std::size_t> connected_;
   std::vector<Vec> normals_;
   std::vector<Moving<Real>> before_;
   std::vector<Real> tilts_;

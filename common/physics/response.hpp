@@ -121,9 +121,8 @@ class Response {
   /// Normal impulses: `factor` times those after which no contact of the set approaches.
   void apply_impulses(std::vector<Body<Real>>& bodies, const std::vector<Contact<Real>>& set,
                       const std::vector<Vec>& normals, Real factor) {
-    const std::vector<Real> gram = gram_of(set, normals);
-    NonNegativeImpulses<Real> impulses(gram, rates_);
-    sizes_ = impulses.solve();
+    set_gram(set, normals);
+    sizes_ = impulses_.solve(gram_, rates_);
     for (std::size_t k = 0; k < set.size(); ++k) {
       sizes_[k] *= factor;
       apply(bodies, set[k], normals[k], sizes_[k]);
@@ -204,14 +203,13 @@ class Response {
     push(bodies[c.b].moving(), to_contact * Real(-1), impulse * Real(-1), laws_.radius);
   }
 
-  std::vector<Real> gram_of(const std::vector<Contact<Real>>& set,
-                            const std::vector<Vec>& normals) const {
+  void set_gram(const std::vector<Contact<Real>>& set, const std::vector<Vec>& normals) {
     const std::size_t n = set.size();
-    std::vector<Real> gram(n * n);
+    gram_.assign(n * n, Real(0));
     for (std::size_t k = 0; k < n; ++k) {
       for (std::size_t l = 0; l < n; ++l) {
         const Real product = dot(normals[k], normals[l]);
-        Real& sum = gram[k * n + l];
+        Real& sum = gram_[k * n + l];
         if (set[k].a == set[l].a) sum += product;
         if (!set[k].cushion && set[k].b == set[l].a) sum -= product;
         if (!set[l].cushion && set[k].a == set[l].b) sum -= product;
@@ -219,7 +217,6 @@ class Response {
         if (k == l) sum = set[k].cushion ? Real(1) : Real(2);
       }
     }
-    return gram;
   }
 
   void hold(std::vector<Body<Real>>& bodies, const Contact<Real>& c, Vec normal) const {
@@ -232,6 +229,8 @@ class Response {
 
   const Laws<Real>& laws_;
   // Of the set being resolved; kept between sets for their memory alone.
+  NonNegativeImpulses<Real> impulses_;
+  std::vector<Real> gram_;
   std::vector<Real> rates_;
   std::vector<Real> sizes_;
   std::vector<BasicVec3<Real>> frictions_;

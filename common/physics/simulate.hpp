@@ -12,7 +12,8 @@
 
 namespace breakshot::physics {
 
-/// Changes whenever the same input may give other bits. Records name it.
+/// Changes whenever the same input may give other bits, if it is one that a match can have. Records
+/// name it.
 inline constexpr std::uint32_t physics_version = 2;
 
 /// Bounds of one simulation.
