@@ -138,7 +138,8 @@ template <class Real>
 Real portable_exp(Real x) {
   using Numbers = std::numeric_limits<Real>;
   const portable::Period<Real>& ln_two = portable::ln_two<Real>();
-  if (!(x == x)) return x;
+  const bool is_number = x < 0 || x >= 0;
+  if (!is_number) return x;
   if (x > ln_two.high * (Numbers::max_exponent + 1)) return Numbers::infinity();
   if (x < ln_two.high * (Numbers::min_exponent - Numbers::digits - 2)) return Real(0);
   const int n = portable::nearest<Real>(x * ln_two.inverse);
