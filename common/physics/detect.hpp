@@ -49,11 +49,13 @@ template <class Real>
 inline const Real twofold_resolution = power_of_two<Real>(8 -
                                                           2 * std::numeric_limits<Real>::digits);
 
-/// Speeds below this have squares that underflow; they are taken in units in which they do not.
+/// Speeds below this have squares that lose digits to underflow; they are taken in units in which
+/// they do not, if need be more than once.
 template <class Real>
-inline const Real slow_below = power_of_two<Real>(60 + std::numeric_limits<Real>::min_exponent / 2);
+inline const Real slow_below = power_of_two<Real>(std::numeric_limits<Real>::digits + 7 +
+                                                  std::numeric_limits<Real>::min_exponent / 2);
 template <class Real>
-inline const Real slow_scale = power_of_two<Real>(90 - std::numeric_limits<Real>::min_exponent / 2);
+inline const Real slow_scale = power_of_two<Real>(-std::numeric_limits<Real>::min_exponent / 2);
 
 /// The sign of (D |w|)^2 - (d x w)^2 for d = b - a and w = v - u, and its value: whether a straight
 /// relative path comes nearer than D. Differences and products keep their rounding errors.

@@ -16,7 +16,7 @@ class PairDetector {
   /// No ball is faster than `top_speed`, m/s.
   PairDetector(Real diameter, Real top_speed)
       : diameter_(diameter),
-        reach_square_(diameter * Real(margin) * (diameter * Real(margin))),
+        reach_square_(diameter * margin() * (diameter * margin())),
         unresolved_(16 * unresolved_speed(top_speed) * diameter) {}
 
   /// Above zero if two balls certainly do not come to meet within `span` seconds, one moving
@@ -62,7 +62,10 @@ class PairDetector {
 
  private:
   /// Far above rounding, far below anything that matters for speed.
-  static constexpr double margin = 1 + 1e-5;
+  static Real margin() {
+    const Real rounding = 8192 * std::numeric_limits<Real>::epsilon();
+    return 1 + larger(rounding, Real(1e-5));
+  }
 
   Real diameter_;
   Real reach_square_;

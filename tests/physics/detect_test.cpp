@@ -66,6 +66,20 @@ TEST(LinearContact, WorksAtTheSlowestAndTheFastestSpeeds) {
   EXPECT_NEAR(meet(gas(), {0, 0}, {1e4, 0}, {1, 0}, {0, 0}), (1 - diameter) / 1e4, 1e-20);
 }
 
+TEST(LinearContact, WorksForSlowBallsInTheShortestScalar) {
+  const float far = 1 - static_cast<float>(diameter);
+  for (const float speed : {1e-35f, 1e-12f, 1e-3f, 0.1f, 0.25f, 10.0f}) {
+    Path<float> ball;
+    ball.segment.phase = Phase::roll;
+    ball.segment.velocity = {speed, 0};
+    ball.speed = speed;
+    Path<float> other;
+    other.segment.position = {1, 0};
+    EXPECT_NEAR(contact_time(ball, other, static_cast<float>(diameter)) * speed, far, 1e-6f)
+        << speed;
+  }
+}
+
 TEST(DeceleratingContact, WithABallAtRestHasItsClosedForm) {
   const double a = 0.2 * 9.81;
   const double gap = 1 - diameter;
