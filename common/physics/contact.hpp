@@ -44,16 +44,17 @@ bool share_a_ball(const Contact<Real>& p, const Contact<Real>& q) {
 }
 
 template <class Real>
+std::size_t contacts_of(const std::vector<Contact<Real>>& set, std::uint32_t ball) {
+  std::size_t count = 0;
+  for (const Contact<Real>& c : set) count += has_ball(c, ball);
+  return count;
+}
+
+template <class Real>
 std::size_t most_contacts_of_a_ball(const std::vector<Contact<Real>>& set) {
   std::size_t most = 1;
   for (const Contact<Real>& c : set) {
-    std::size_t of_a = 0;
-    std::size_t of_b = 0;
-    for (const Contact<Real>& other : set) {
-      of_a += has_ball(other, c.a);
-      of_b += !c.cushion && has_ball(other, c.b);
-    }
-    most = std::max({most, of_a, of_b});
+    most = std::max({most, contacts_of(set, c.a), c.cushion ? 0 : contacts_of(set, c.b)});
   }
   return most;
 }

@@ -285,23 +285,42 @@ class ContactSet {
   /// if there is neither.
   bool push_apart(std::vector<Body<Real>>& bodies, Real time_s,
                   std::vector<BasicEvent<Real>>& log) {
+    rest_.clear();
     bool any = false;
     for (Contact<Real>& contact : contacts_) {
-      const Real speed = approach(bodies, contact, contact.normal);
-      const Real apart = laws_.hop_of(response_.bounce_of(contact));
-      const Real slow = larger(unresolved_, apart * laws_.resting_share);
-      const bool rests = magnitude(speed) <= slow && apart > 0 && response_.closes(bodies, contact);
-      if (rests) {
-        const Real change = apart + speed;
-        response_.apply(bodies, contact, contact.normal, contact.cushion ? change : change / 2);
-      }
-      if (rests || contact.predicted) {
+      const bool resting = rests(bodies, contact);
+      if (resting) rest_.push_back(contact);
+      if (resting || contact.predicted) {
         append_event(bodies, contact, time_s, log);
         any = true;
       }
       contact.predicted = false;
     }
+    if (!rest_.empty()) separate(bodies);
     return any;
+  }
+
+  bool rests(const std::vector<Body<Real>>& bodies, const Contact<Real>& contact) const {
+    const Real apart = laws_.hop_of(response_.bounce_of(contact));
+    const Real slow = larger(unresolved_, apart * laws_.resting_share);
+    return apart > 0 && magnitude(approach(bodies, contact, contact.normal)) <= slow &&
+           response_.closes(bodies, contact);
+  }
+
+  /// Lets rest_ hop, all from the same velocities: no order and no numbering shows. Where a ball
+  /// has several, each gives its share, so that they bring no more energy than one by one.
+  void separate(std::vector<Body<Real>>& bodies) {
+    if (rest_.size() > 1) sort_by_place(rest_);
+    changes_.clear();
+    for (const Contact<Real>& c : rest_) {
+      const Real change = laws_.hop_of(response_.bounce_of(c)) + approach(bodies, c, c.normal);
+      const std::size_t shared =
+          std::max(contacts_of(rest_, c.a), c.cushion ? 0 : contacts_of(rest_, c.b));
+      changes_.push_back((c.cushion ? change : change / 2) / Real(shared));
+    }
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
+      response_.apply(bodies, rest_[k], rest_[k].normal, changes_[k]);
+    }
   }
 
   const Laws<Real>& laws_;
@@ -320,6 +339,7 @@ class ContactSet {
   std::vector<Vec> normals_;
   std::vector<Moving<Real>> before_;
   std::vector<Real> tilts_;
+  std::vector<Real> changes_;
 };
 
 }  // namespace breakshot::physics

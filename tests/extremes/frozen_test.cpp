@@ -125,35 +125,64 @@ struct TightBreak {
   double speed_m_s;
 };
 
+const TightBreak tight_breaks[] = {{pool_ball,
+                                    {2.54, 1.27},
+                                    {0.18842030172236263, 0.03195603466941975, 1.250679983291775},
+                                    CushionRestitution{1, 0.62545030983164907, 1e-3},
+                                    1.5384291766677052},
+                                   {carom_ball,
+                                    {2.84, 1.42},
+                                    {0.45571766573702915, 0.042497539530741056, 1.8816815204918385},
+                                    Mirror{},
+                                    1.51624695234932},
+                                   {carom_ball,
+                                    {2.84, 1.42},
+                                    {0.35416351712774485, 0.041358964340761306, 1.437523219268769},
+                                    CushionRestitution{0.85, 0.85405460395850241, 1e-3},
+                                    1.9701630694326013}};
+
+Scene scene_of(const TightBreak& b) {
+  Scene scene = table(b.motion, b.cushion, Elastic{});
+  scene.ball = b.ball;
+  scene.bed.length_m = b.bed.x;
+  scene.bed.width_m = b.bed.y;
+  return scene;
+}
+
+Shot played(const TightBreak& b, const State& state) {
+  return shot_of(scene_of(b), state, Strike{BallId{0}, {1, 0}, b.speed_m_s, {}});
+}
+
 // The second row slows down into the apex, which is hardly hit: two elastic contacts that mirror
 // one another hopped a million times, or ever less until no time passed.
 TEST(NearlyFrozenRack, OfElasticBallsThatSlowDownIntoTheApexComesToRest) {
-  const TightBreak breaks[] = {{pool_ball,
-                                {2.54, 1.27},
-                                {0.18842030172236263, 0.03195603466941975, 1.250679983291775},
-                                CushionRestitution{1, 0.62545030983164907, 1e-3},
-                                1.5384291766677052},
-                               {carom_ball,
-                                {2.84, 1.42},
-                                {0.45571766573702915, 0.042497539530741056, 1.8816815204918385},
-                                Mirror{},
-                                1.51624695234932},
-                               {carom_ball,
-                                {2.84, 1.42},
-                                {0.35416351712774485, 0.041358964340761306, 1.437523219268769},
-                                CushionRestitution{0.85, 0.85405460395850241, 1e-3},
-                                1.9701630694326013}};
-  for (const TightBreak& b : breaks) {
-    Scene scene = table(b.motion, b.cushion, Elastic{});
-    scene.ball = b.ball;
-    scene.bed.length_m = b.bed.x;
-    scene.bed.width_m = b.bed.y;
+  for (const TightBreak& b : tight_breaks) {
     const std::string where = "at " + std::to_string(b.speed_m_s);
-    const Shot shot =
-        shot_of(scene, racked(scene, 1e-15), Strike{BallId{0}, {1, 0}, b.speed_m_s, {}});
+    const Shot shot = played(b, racked(scene_of(b), 1e-15));
     EXPECT_EQ(shot.stop, Stop::rest) << where;
     EXPECT_LT(shot.events.size(), 200u) << where;
-    expect_sound(scene, shot, where);
+    expect_sound(scene_of(b), shot, where);
+  }
+}
+
+// Both contacts of the apex hop at the same instants.
+TEST(NearlyFrozenRack, KeepsTheMirrorAndKnowsNoNumbersThroughPushesOfTwoIntoOne) {
+  for (const TightBreak& b : tight_breaks) {
+    const State state = racked(scene_of(b), 1e-15);
+    State reversed = state;
+    for (std::uint32_t i = 1; i < 16; ++i) reversed.balls[i].id = BallId{16 - i};
+    const Shot shot = played(b, state);
+    const Shot other = played(b, reversed);
+    for (std::uint32_t i = 1; i < 16; ++i) {
+      const Vec2 place = state_of(shot, i).position;
+      double nearest = 1;
+      for (std::uint32_t k = 1; k < 16; ++k) {
+        const Vec2 mirrored = state_of(shot, k).position;
+        nearest = std::min(nearest, length(Vec2{mirrored.x, -mirrored.y} - place));
+      }
+      EXPECT_LT(nearest, 1e-12) << i << " at " << b.speed_m_s;
+      EXPECT_LT(length(state_of(other, 16 - i).position - place), 1e-12) << i;
+    }
   }
 }
 
