@@ -199,8 +199,9 @@ Stepped carry_out(const Match& match, const Author&, const Shoot& shoot) {
   const physics::Vec2 direction{shoot.direction.x + 0.0, shoot.direction.y + 0.0};
   const physics::Tip tip{shoot.tip.side + 0.0, shoot.tip.height + 0.0};
   const physics::Strike strike{rules::cue_ball, direction, shoot.speed_m_s, tip};
-  auto result = physics::simulate(match.settings.scene, match.table, strike,
-                                  {match.seed, match.shots}, {physics::max_match_events, {}});
+  auto result =
+      physics::simulate(match.settings.scene, match.table, strike, {match.seed, match.shots},
+                        {physics::max_match_events, {}, match.physics});
   if (const auto* stall = std::get_if<physics::Stalled>(&result)) return refusal_of(*stall);
   Step step{match, std::get<physics::Shot>(std::move(result)), {}};
   ++step.next.shots;
@@ -256,9 +257,10 @@ Accepted completed(Step step) {
 
 }  // namespace
 
-Match created(const Settings& settings, const physics::Seed& seed) {
+Match created(const Settings& settings, const physics::Seed& seed, std::uint32_t physics) {
   Match match;
   match.settings = settings;
+  match.physics = physics;
   match.seed = seed;
   if (settings.game == GameKind::practice) {
     match.game = rules::practice_start(settings.seats);

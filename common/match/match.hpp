@@ -13,6 +13,7 @@
 #include "common/physics/event.hpp"
 #include "common/physics/perturbation.hpp"
 #include "common/physics/scene.hpp"
+#include "common/physics/simulate.hpp"
 #include "common/rules/eight_ball.hpp"
 #include "common/rules/practice.hpp"
 #include "common/rules/ruling.hpp"
@@ -131,9 +132,10 @@ struct Outcome {
 /// The whole state of a running match. Everything but the seed is public.
 struct Match {
   Settings settings;
-  physics::Seed seed{};     ///< seed_of(secret, contributions)
-  Seq next{};               ///< the number of the next entry
-  std::uint32_t shots = 0;  ///< shots taken: the number of the next one
+  std::uint32_t physics = physics::physics_version;  ///< the version that simulates its shots
+  physics::Seed seed{};                              ///< seed_of(secret, contributions)
+  Seq next{};                                        ///< the number of the next entry
+  std::uint32_t shots = 0;                           ///< shots taken: the number of the next one
   std::uint32_t racks = 0;  ///< racks set up: the number of the next one in the rack stream
   physics::State table;
   std::variant<rules::EightBall, rules::Practice> game;
@@ -148,7 +150,8 @@ hash::Digest commitment_of(const Secret& secret);
 physics::Seed seed_of(const Secret& secret, const std::vector<Contribution>& contributions);
 
 /// The match before its Start command. `settings` must be free of faults.
-Match created(const Settings& settings, const physics::Seed& seed);
+Match created(const Settings& settings, const physics::Seed& seed,
+              std::uint32_t physics = physics::physics_version);
 
 struct Ask {
   Author author;

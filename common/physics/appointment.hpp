@@ -68,13 +68,13 @@ class OwnEvents {
     for (std::uint32_t i = 0; i < laws_.arcs.size(); ++i) {
       const Arc<Real>& arc = laws_.arcs[i];
       if (stays_away(path, arc.centre, arc.distance, first.time_s)) continue;
-      const Real t = arc_time(path, arc);
+      const Real t = arc_time(path, arc, laws_.finder);
       if (t < first.time_s) first = {t, Due::cushion, laws_.cushion_of_arc(i)};
     }
     for (std::uint32_t i = 0; i < laws_.drops.size(); ++i) {
       const Drop<Real>& drop = laws_.drops[i];
       if (stays_away(path, drop.centre, drop.radius, first.time_s)) continue;
-      const Real t = drop_time(path, drop);
+      const Real t = drop_time(path, drop, laws_.finder);
       if (t < first.time_s) first = {t, Due::hole, i};
     }
     return first;

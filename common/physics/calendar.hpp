@@ -19,7 +19,7 @@ class TableCalendar {
       : laws_(laws),
         top_speed_(top_speed),
         own_events_(laws, top_speed),
-        field_(balls, {laws.diameter, top_speed}, !laws.cloth.slows()),
+        field_(balls, {laws.diameter, top_speed, laws.finder}, !laws.cloth.slows()),
         paths_(balls),
         own_(balls),
         next_(balls),
@@ -141,7 +141,9 @@ class TableCalendar {
     field_.each_that_may_meet(i, [&](std::size_t other) {
       const auto j = static_cast<std::uint32_t>(other);
       if (fresh_[j] == Freshness::met) return;
-      const Real t = field_.detector().time(paths_[std::min(i, j)], paths_[std::max(i, j)]);
+      const Real until_s = smaller(field_.until(i), field_.until(j));
+      const Real t =
+          field_.detector().time(paths_[std::min(i, j)], paths_[std::max(i, j)], until_s);
       if (moves) agree(i, {t, Due::ball, j});
       if (!is_still(paths_[j].segment.phase)) agree(j, {t, Due::ball, i});
     });

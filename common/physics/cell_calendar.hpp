@@ -29,7 +29,7 @@ class CellCalendar {
       : laws_(laws),
         top_speed_(top_speed),
         own_events_(laws, top_speed),
-        detector_(laws.diameter, top_speed),
+        detector_(laws.diameter, top_speed, laws.finder),
         straight_(!laws.cloth.slows()),
         cells_(balls, laws.diameter),
         heap_(balls),
@@ -286,7 +286,8 @@ class CellCalendar {
     screen(ball, first);
     for (const std::uint32_t other : likely_) {
       if (other == ball || other == met) continue;
-      const Real t = detector_.time(paths_[std::min(ball, other)], paths_[std::max(ball, other)]);
+      const Real t = detector_.time(paths_[std::min(ball, other)], paths_[std::max(ball, other)],
+                                    smaller(first, motions_[other].until_s));
       if (t > first || t > motions_[other].until_s || t == never<Real>) continue;
       if (t < first) partners_.clear();
       first = t;

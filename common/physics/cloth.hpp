@@ -141,6 +141,9 @@ class Cloth {
 
   Path<Real> spinning_from(BallId ball, Real time_s, BasicVec2<Real> position,
                            const Moving<Real>& moving) const {
+    if (moving.velocity == BasicVec2<Real>{} && moving.spin.x == 0 && moving.spin.y == 0) {
+      return standing(ball, time_s, position, moving.spin.z);
+    }
     const BasicVec2<Real> slip = slip_of(moving.velocity, moving.spin);
     const Real slip_speed = length(slip);
     const Real speed = length(moving.velocity);

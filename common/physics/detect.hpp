@@ -11,12 +11,6 @@
 namespace breakshot::physics {
 
 template <class Real>
-Real magnitude(Real x) {
-  using std::abs;
-  return abs(x);
-}
-
-template <class Real>
 constexpr Real larger(Real a, Real b) {
   return a < b ? b : a;
 }
@@ -129,10 +123,27 @@ Real linear_entry(const Encounter<Real>& e, Real distance, Real apart, Real spee
   return (apart - distance) * (apart + distance) / (sqrt(discriminant) - b);
 }
 
-/// When the balls of two paths next meet: the first event after both have started, within both
-/// phases, or never. Touching and approaching is at once.
+/// Whether a pair that is apart is `span` seconds on still apart and has approached all the time.
+/// `straight`: the relative path is, and does not turn back.
 template <class Real>
-Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter) {
+bool only_approaches(const Relative<Real>& motion, Real distance, Real span, bool straight) {
+  const BasicVec2<Real> d = motion.at(span);
+  // A thousandth is for rounding.
+  if (!(dot(d, d) > Real(1.001) * distance * distance)) return false;
+  if (!(dot(d, motion.velocity_at(span)) < 0)) return false;
+  if (straight) return true;
+  const Real bend =
+      dot(motion.velocity, motion.velocity) + dot(motion.position, motion.acceleration);
+  const Real unbent = 3 * dot(motion.velocity, motion.acceleration) * span;
+  return bend > 0 && Real(1.001) * -unbent < bend;
+}
+
+/// When the balls of two paths next meet: the first event after both have started, within both
+/// phases, or never. Touching and approaching is at once. Of what is certainly after `until_s`
+/// nothing is said; else that makes no difference.
+template <class Real>
+Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter,
+                  EntryFinder finder = EntryFinder::quartics, Real until_s = never<Real>) {
   using std::sqrt;
   const Encounter<Real> e = encounter(a, b);
   const Relative<Real>& relative = e.relative;
@@ -151,14 +162,17 @@ Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter) {
     const Real unresolved = unresolved_speed(a.speed + b.speed) * distance;
     if (approach > unresolved) return e.start_s;
     if (straight) return never<Real>;
-    const EntrySearch<Real> search(relative, diameter, distance);
+    const EntrySearch<Real> search(relative, diameter, distance, finder);
     const bool level = approach >= -unresolved;
     if (level && search.closes_at_once()) return e.start_s;
     const auto t = search.first(horizon, level);
     return t ? e.start_s + *t : never<Real>;
   }
+  if (until_s < e.end_s && only_approaches(relative, diameter, until_s - e.start_s, slowing)) {
+    return never<Real>;
+  }
   if (!straight) {
-    const auto t = EntrySearch<Real>(relative, diameter, distance).first(horizon, false);
+    const auto t = EntrySearch<Real>(relative, diameter, distance, finder).first(horizon, false);
     return t ? e.start_s + *t : never<Real>;
   }
   const Real speed = length(relative.velocity);
@@ -242,15 +256,15 @@ bool faces(const Arc<Real>& arc, BasicVec2<Real> position) {
 
 /// When the ball of a path next meets a rounded nose, or never.
 template <class Real>
-Real arc_time(const Path<Real>& path, const Arc<Real>& arc) {
-  const Real t = contact_time(path, arc.centre, arc.distance);
+Real arc_time(const Path<Real>& path, const Arc<Real>& arc, EntryFinder finder) {
+  const Real t = contact_time(path, arc.centre, arc.distance, finder);
   return t < never<Real> && faces(arc, position_at(path.segment, t)) ? t : never<Real>;
 }
 
 /// When the centre of a path's ball next crosses a hole's edge, or never.
 template <class Real>
-Real drop_time(const Path<Real>& path, const Drop<Real>& drop) {
-  return contact_time(path, drop.centre, drop.radius);
+Real drop_time(const Path<Real>& path, const Drop<Real>& drop, EntryFinder finder) {
+  return contact_time(path, drop.centre, drop.radius, finder);
 }
 
 }  // namespace breakshot::physics

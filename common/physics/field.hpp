@@ -118,12 +118,15 @@ class Field {
           detector_.separation(group.position - position, group.velocity - velocity, bend..., span),
           Many{});
     };
+    const auto test_bent = [&](const Group& group) {
+      return test(group, group.acceleration - acceleration);
+    };
     if (straight_) {
       each_of_all(asked, test, found);
+    } else if (moves) {
+      each_of_all(asked, test_bent, found);
     } else {
-      each_of_all(
-          asked, [&](const Group& group) { return test(group, group.acceleration - acceleration); },
-          found);
+      each_of_few(asked, test_bent, found);
     }
   }
 
@@ -174,10 +177,33 @@ class Field {
       for (std::size_t g = sets.begin; g < sets.end; ++g) {
         found |= test(groups_[g]) << (g - sets.begin) * Many::size;
       }
-      for (found &= asked(sets); found != 0; found &= found - 1) {
-        call(first + static_cast<std::size_t>(std::countr_zero(found)));
-      }
+      each_bit(found & asked(sets), first, call);
       first += balls_of_a_set;
+    }
+  }
+
+  /// The same where groups without a ball that is asked for are many.
+  template <class Asked, class Test, class Call>
+  void each_of_few(const Asked& asked, const Test& test, const Call& call) const {
+    constexpr Bits one_group = (Bits{1} << Many::size) - 1;
+    std::size_t first = 0;
+    for (const Sets& sets : sets_) {
+      const Bits wanted = asked(sets);
+      Bits found = 0;
+      for (Bits left = wanted; left != 0;) {
+        const std::size_t g = static_cast<std::size_t>(std::countr_zero(left)) / Many::size;
+        found |= test(groups_[sets.begin + g]) << g * Many::size;
+        left &= ~(one_group << g * Many::size);
+      }
+      each_bit(found & wanted, first, call);
+      first += balls_of_a_set;
+    }
+  }
+
+  template <class Call>
+  static void each_bit(Bits bits, std::size_t first, const Call& call) {
+    for (; bits != 0; bits &= bits - 1) {
+      call(first + static_cast<std::size_t>(std::countr_zero(bits)));
     }
   }
 

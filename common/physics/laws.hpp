@@ -10,6 +10,7 @@
 
 #include "common/physics/cloth.hpp"
 #include "common/physics/rails.hpp"
+#include "common/physics/roots.hpp"
 
 namespace breakshot::physics {
 
@@ -100,7 +101,7 @@ struct PocketMouths {
 
 template <class Real>
 struct Laws {
-  explicit Laws(const Scene& scene);
+  explicit Laws(const Scene& scene, EntryFinder finder = EntryFinder::quartics);
 
   /// The pocket that takes a ball which meets `nose` with its centre at `position`, if any: of
   /// standard pockets.
@@ -125,6 +126,7 @@ struct Laws {
     return static_cast<std::uint32_t>(noses.size() + arc);
   }
 
+  EntryFinder finder;
   Real radius{};
   Real diameter{};
   Cloth<Real> cloth;
@@ -229,8 +231,11 @@ Path<Real> fixed_at(Vec2 place) {
 }
 
 template <class Real>
-Laws<Real>::Laws(const Scene& scene)
-    : radius(Real(scene.ball.radius_m)), diameter(2 * Real(scene.ball.radius_m)), cloth(scene) {
+Laws<Real>::Laws(const Scene& scene, EntryFinder entry_finder)
+    : finder(entry_finder),
+      radius(Real(scene.ball.radius_m)),
+      diameter(2 * Real(scene.ball.radius_m)),
+      cloth(scene) {
   using std::sqrt;
   const Rails rails = rails_of(scene);
   noses.reserve(rails.segments.size());
@@ -250,6 +255,7 @@ Laws<Real>::Laws(const Scene& scene)
     drops.push_back({hole.pocket, fixed_at<Real>(hole.centre), Real(hole.radius_m)});
   }
   if (!drops.empty()) {
+    walls.reserve(4);
     for (const CushionSegment& wall : segments_of(scene)) walls.push_back(nose_of<Real>(wall));
   }
   if (rails.inside) inside = vec_of<Real>(*rails.inside) - BasicVec2<Real>{radius, radius};

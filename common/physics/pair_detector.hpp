@@ -14,8 +14,9 @@ template <class Real>
 class PairDetector {
  public:
   /// No ball is faster than `top_speed`, m/s.
-  PairDetector(Real diameter, Real top_speed)
+  PairDetector(Real diameter, Real top_speed, EntryFinder finder = EntryFinder::quartics)
       : diameter_(diameter),
+        finder_(finder),
         reach_square_(diameter * margin() * (diameter * margin())),
         unresolved_(16 * unresolved_speed(top_speed) * diameter) {}
 
@@ -56,8 +57,9 @@ class PairDetector {
     return larger(approach, larger(ahead, aside));
   }
 
-  Real time(const Path<Real>& a, const Path<Real>& b) const {
-    return contact_time(a, b, diameter_);
+  /// When the balls of two paths next meet, or never if that is after `until_s`.
+  Real time(const Path<Real>& a, const Path<Real>& b, Real until_s = never<Real>) const {
+    return contact_time(a, b, diameter_, finder_, until_s);
   }
 
  private:
@@ -68,6 +70,7 @@ class PairDetector {
   }
 
   Real diameter_;
+  EntryFinder finder_;
   Real reach_square_;
   Real unresolved_;  ///< products of a distance of touching balls and a speed, m^2/s
 };

@@ -27,9 +27,12 @@ bool nose_touches(const Body<Real>& body, const Nose<Real>& nose, Real gap, Real
 
 template <class Real>
 bool arc_touches(const Body<Real>& body, const Arc<Real>& arc, Real now_s) {
+  const BasicVec2<Real> d = body.position - arc.centre.segment.position;
   const Real coordinate = larger(arc.distance, largest_coordinate(body.position));
-  return length(body.position - arc.centre.segment.position) - arc.distance <=
-             touch_gap(coordinate, length(body.velocity), now_s) &&
+  const Real speeds = magnitude(body.velocity.x) + magnitude(body.velocity.y);
+  const Real reach = arc.distance + 2 * touch_gap_bound(coordinate, speeds, now_s);
+  if (dot(d, d) > reach * reach) return false;
+  return length(d) - arc.distance <= touch_gap(coordinate, length(body.velocity), now_s) &&
          faces(arc, body.position);
 }
 

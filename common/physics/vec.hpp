@@ -37,6 +37,12 @@ struct BasicVec3 {
   friend constexpr bool operator==(const BasicVec3&, const BasicVec3&) = default;
 };
 
+template <class Real>
+Real magnitude(Real x) {
+  using std::abs;
+  return abs(x);
+}
+
 using Vec2 = BasicVec2<double>;
 using Vec3 = BasicVec3<double>;
 
@@ -81,7 +87,7 @@ template <class Real>
 
 /// The length; the only function used is sqrt.
 template <class Real>
-Real length(BasicVec2<Real> a) {
+[[gnu::always_inline]] inline Real length(BasicVec2<Real> a) {
   using std::sqrt;
   using Limits = std::numeric_limits<Real>;
   const Real square = dot(a, a);

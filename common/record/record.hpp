@@ -111,11 +111,10 @@ Reading read_file(hash::Bytes bytes);
 
 // ---- Verification
 
-/// Earlier versions of the physics that the present one still simulates with the same bits. Version
-/// 1 had no spin, no friction at contacts, no jaws and no arcs; the tables that were offered for
-/// matches then have kept their bits.
-inline constexpr std::array<std::uint32_t, 1> earlier_physics{1};
-static_assert(physics::physics_version <= 2, "which versions have kept their bits must be said");
+/// Earlier versions of the physics that can still be simulated with the same bits
+/// (`physics::Limits`): of version 1, the tables that were offered for matches then.
+inline constexpr std::array<std::uint32_t, 2> earlier_physics{1, 2};
+static_assert(physics::physics_version <= 3, "which versions have kept their bits must be said");
 
 /// Whether what was played by this version of the physics can be simulated again.
 bool can_simulate(std::uint32_t physics);

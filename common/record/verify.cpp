@@ -34,7 +34,7 @@ Fault commitment_fault(const Header& header, const match::Secret& secret) {
 match::Match start_of(const Header& header, const match::Secret& secret) {
   std::vector<match::Contribution> contributions;
   for (const Player& player : header.players) contributions.push_back(player.contribution);
-  return match::created(header.settings, match::seed_of(secret, contributions));
+  return match::created(header.settings, match::seed_of(secret, contributions), header.physics);
 }
 
 /// Plays the command of `entry` again and moves `match` on; or says how what is stored differs.

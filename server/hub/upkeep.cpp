@@ -46,7 +46,8 @@ std::optional<std::string> replay(LiveMatch& match,
   std::vector<match::Contribution> contributions;
   for (const record::Player& player : header.players) contributions.push_back(player.contribution);
   match.digest = record::digest_of(header);
-  match.game = match::created(header.settings, match::seed_of(match.secret, contributions));
+  match.game =
+      match::created(header.settings, match::seed_of(match.secret, contributions), header.physics);
   for (const ledger::EntryPointer& entry : entries) {
     if (auto fault = replay(match, *entry)) return fault;
   }

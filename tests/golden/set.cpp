@@ -56,8 +56,14 @@ GoldenShot golden_shot(std::size_t number) {
           limits};
 }
 
-std::string digest_of(const GoldenShot& shot) {
-  const auto outcome = simulate(shot.scene, shot.state, shot.strike, shot.seed, shot.limits);
+std::string name_of(const GoldenShot& shot, std::uint32_t physics) {
+  return "physics-" + std::to_string(physics) + '/' + shot.name;
+}
+
+std::string digest_of(const GoldenShot& shot, std::uint32_t physics) {
+  Limits limits = shot.limits;
+  limits.physics = physics;
+  const auto outcome = simulate(shot.scene, shot.state, shot.strike, shot.seed, limits);
   const auto* ended = std::get_if<Shot>(&outcome);
   return ended == nullptr ? "stalled" : hash::hex_of(record::simulation_digest(*ended));
 }

@@ -7,7 +7,9 @@
 // for its values. A phenomenon that is added gets shots of its own after these.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -32,7 +34,14 @@ inline constexpr std::size_t most_golden_events = 8000;
 /// The shot of this number below golden_shots. A pure function.
 GoldenShot golden_shot(std::size_t number);
 
-/// The digest of what the physics makes of it, in hexadecimal; "stalled" if it does not end.
-std::string digest_of(const GoldenShot& shot);
+/// The versions of the physics that have all that is in the shots. Of version 1 there are matches.
+inline constexpr std::array<std::uint32_t, 2> golden_physics{2, 3};
+static_assert(golden_physics.back() == physics::physics_version, "add digests of the new version");
+
+/// A line of set.digests: "physics-3/NAME".
+std::string name_of(const GoldenShot& shot, std::uint32_t physics);
+/// The digest of what that version of the physics makes of a shot, in hexadecimal; "stalled" if it
+/// does not end.
+std::string digest_of(const GoldenShot& shot, std::uint32_t physics);
 
 }  // namespace breakshot::golden

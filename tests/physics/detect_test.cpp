@@ -1,8 +1,10 @@
 // When things meet: closed forms, and the last bit where it decides.
 #include "common/physics/detect.hpp"
 
+#include <array>
 #include <cmath>
 
+#include "common/physics/angle.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace breakshot::physics {
@@ -133,6 +135,71 @@ TEST(QuarticContact, AgreesWithTheEquationInLongDouble) {
     ASSERT_NEAR(static_cast<double>(gap(t)), 0, 4e-15) << "case " << i;
   }
   EXPECT_GT(hits, 1000);
+}
+
+/// Two balls on bent paths that come nearest, to within `miss` diameters of a touch, at about
+/// `time_s`; both phases end `after` seconds later.
+std::array<Path<double>, 2> near_pass(Chance& chance, double miss, double time_s, double after) {
+  std::array<Path<double>, 2> paths;
+  for (Path<double>& p : paths) {
+    p.speed = chance.between(0.05, 6);
+    p.curved = true;
+    p.end_s = time_s + after;
+    p.segment.phase = Phase::slide;
+    p.segment.velocity = direction_of(chance.between(-pi, pi)) * p.speed;
+    p.segment.acceleration = direction_of(chance.between(-pi, pi)) * 1.962;
+  }
+  auto& [a, b] = paths;
+  const Vec2 w = velocity_at(b.segment, time_s) - velocity_at(a.segment, time_s);
+  const Vec2 beside = perp(w / length(w)) * (diameter * (1 + miss));
+  b.segment.position = position_at(a.segment, time_s) + beside - position_at(b.segment, time_s);
+  return paths;
+}
+
+TEST(EntryFinders, AgreeOnWhatMeetsAndWhen) {
+  Chance chance(4);
+  int hits = 0, misses = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const double depth = std::pow(10.0, chance.between(-9, 0));
+    const auto [a, b] = near_pass(chance, i % 2 == 0 ? -depth : depth, chance.between(0.01, 0.8),
+                                  chance.between(0, 0.5));
+    if (length(b.segment.position - a.segment.position) < 1.001 * diameter) continue;
+    const double newton = contact_time(a, b, diameter, EntryFinder::newton);
+    const double quartics = contact_time(a, b, diameter, EntryFinder::quartics);
+    ASSERT_EQ(newton < never<double>, quartics < never<double>) << "case " << i;
+    if (newton == never<double>) {
+      ++misses;
+      continue;
+    }
+    ++hits;
+    // What rounds metres is met so much later or earlier; grazing paths hardly close.
+    const Vec2 d = position_at(b.segment, newton) - position_at(a.segment, newton);
+    const Vec2 w = velocity_at(b.segment, newton) - velocity_at(a.segment, newton);
+    const double closing = -dot(d, w) / diameter;
+    ASSERT_GT(closing, 0) << "case " << i;
+    ASSERT_NEAR(newton, quartics, 1e-15 + 4e-15 / closing) << "case " << i;
+  }
+  EXPECT_GT(hits, 5000);
+  EXPECT_GT(misses, 5000);
+}
+
+TEST(Contact, AfterTheTimeAskedForIsNotMissedBefore) {
+  Chance chance(5);
+  int late = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const auto [a, b] =
+        near_pass(chance, -chance.between(0, 1), chance.between(0.01, 0.8), chance.between(0, 0.5));
+    const double t = contact_time(a, b, diameter);
+    if (t == never<double>) continue;
+    const auto by = [&a, &b](double until_s) {
+      return contact_time(a, b, diameter, EntryFinder::quartics, until_s);
+    };
+    ASSERT_EQ(by(t), t) << "case " << i;
+    ASSERT_EQ(by(next_down(t)), t) << "case " << i << ": rounding may have made it late";
+    ASSERT_EQ(by(2 * t), t) << "case " << i;
+    late += by(t / 2) == never<double>;
+  }
+  EXPECT_GT(late, 5000);
 }
 
 TEST(Touching, ApproachingIsAtOnceAndSeparatingIsNever) {

@@ -97,16 +97,22 @@ TEST(Replay, CannotVerifyPhysicsThatItDoesNotKnow) {
 TEST(Replay, VerifiesWhatEarlierVersionsOfThePhysicsPlayed) {
   for (const std::uint32_t version : earlier_physics) {
     // The paper's table has been there since the first version.
-    PlayedMatch match(2, match::GameKind::eight_ball, 2, physics::presets().back());
+    PlayedMatch match(2, match::GameKind::eight_ball, 2, physics::presets().back(), version);
     match.play(12);
-    Record record = match.record();
-    record.header.physics = version;
-    EXPECT_EQ(verify(rechained(record)).kind, Kind::verified) << version;
+    EXPECT_EQ(match.record().header.physics, version);
+    EXPECT_EQ(verify(match.record()).kind, Kind::verified) << version;
   }
   EXPECT_TRUE(can_simulate(1));
+  EXPECT_TRUE(can_simulate(2));
   EXPECT_TRUE(can_simulate(physics::physics_version));
   EXPECT_FALSE(can_simulate(0));
   EXPECT_NE(simulated_versions().find(std::to_string(physics::physics_version)), std::string::npos);
+}
+
+TEST(Replay, TellsAnEarlierVersionOfThePhysicsFromThePresentOne) {
+  Record record = played();
+  record.header.physics = 2;
+  EXPECT_EQ(verify(rechained(record)).kind, Kind::diverged);
 }
 
 TEST(Replay, RefusesAnEarlierVersionOfThePhysicsForASceneThatItDidNotHave) {

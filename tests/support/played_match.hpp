@@ -15,8 +15,9 @@ namespace breakshot::support {
 class PlayedMatch {
  public:
   PlayedMatch(std::uint64_t seed, match::GameKind game, std::uint8_t seats,
-              const physics::Preset& preset = physics::presets().front())
-      : random_(seed), match_(begin(game, seats, preset)) {
+              const physics::Preset& preset = physics::presets().front(),
+              std::uint32_t physics = physics::physics_version)
+      : random_(seed), match_(begin(game, seats, preset, physics)) {
     add({}, match::Start{});
   }
 
@@ -53,8 +54,10 @@ class PlayedMatch {
   }
 
  private:
-  match::Match begin(match::GameKind game, std::uint8_t seats, const physics::Preset& preset) {
+  match::Match begin(match::GameKind game, std::uint8_t seats, const physics::Preset& preset,
+                     std::uint32_t physics) {
     record::Header& header = record_.header;
+    header.physics = physics;
     header.id = match::MatchId{random_.below(1'000'000)};
     header.settings = {std::string(preset.name), preset.scene, game, seats, 1};
     std::vector<match::Contribution> contributions;
@@ -64,7 +67,7 @@ class PlayedMatch {
     }
     secret_ = random_.bytes<32>();
     header.commitment = match::commitment_of(secret_);
-    return match::created(header.settings, match::seed_of(secret_, contributions));
+    return match::created(header.settings, match::seed_of(secret_, contributions), physics);
   }
 
   std::optional<match::Refusal> try_to(const match::Author& author, const match::Command& command) {
