@@ -285,18 +285,18 @@ class ContactSet {
   /// if there is neither.
   bool push_apart(std::vector<Body<Real>>& bodies, Real time_s,
                   std::vector<BasicEvent<Real>>& log) {
-    rest_.clear();
+    resting_.clear();
     bool any = false;
     for (Contact<Real>& contact : contacts_) {
       const bool resting = rests(bodies, contact);
-      if (resting) rest_.push_back(contact);
+      if (resting) resting_.push_back(contact);
       if (resting || contact.predicted) {
         append_event(bodies, contact, time_s, log);
         any = true;
       }
       contact.predicted = false;
     }
-    if (!rest_.empty()) separate(bodies);
+    if (!resting_.empty()) separate(bodies);
     return any;
   }
 
@@ -307,19 +307,19 @@ class ContactSet {
            response_.closes(bodies, contact);
   }
 
-  /// Lets rest_ hop, all from the same velocities: no order and no numbering shows. Where a ball
+  /// Lets resting_ hop, all from the same velocities: no order and no numbering shows. Where a ball
   /// has several, each gives its share, so that they bring no more energy than one by one.
   void separate(std::vector<Body<Real>>& bodies) {
-    if (rest_.size() > 1) sort_by_place(rest_);
+    if (resting_.size() > 1) sort_by_place(resting_);
     changes_.clear();
-    for (const Contact<Real>& c : rest_) {
+    for (const Contact<Real>& c : resting_) {
       const Real change = laws_.hop_of(response_.bounce_of(c)) + approach(bodies, c, c.normal);
       const std::size_t shared =
-          std::max(contacts_of(rest_, c.a), c.cushion ? 0 : contacts_of(rest_, c.b));
+          std::max(contacts_of(resting_, c.a), c.cushion ? 0 : contacts_of(resting_, c.b));
       changes_.push_back((c.cushion ? change : change / 2) / Real(shared));
     }
-    for (std::size_t k = 0; k < rest_.size(); ++k) {
-      response_.apply(bodies, rest_[k], rest_[k].normal, changes_[k]);
+    for (std::size_t k = 0; k < resting_.size(); ++k) {
+      response_.apply(bodies, resting_[k], resting_[k].normal, changes_[k]);
     }
   }
 
@@ -332,7 +332,8 @@ class ContactSet {
   std::vector<Contact<Real>> approaching_;
   std::vector<std::uint32_t> struck_;
   // Of the pass and of the connected set being resolved; kept between sets for their memory alone.
-  std::vector<Contact<Real>> rest_;
+  std::vector<Contact<Real>> rest_;  ///< of the pass: in no connected set yet
+  std::vector<Contact<Real>> resting_;
   std::vector<Contact<Real>> set_;
   std::vector<bool> taken_;
   std::vector<std::size_t> connected_;

@@ -9,6 +9,7 @@ using support::all_of;
 using support::ball;
 using support::balls;
 using support::head_on;
+using support::mean_error_s;
 using support::shot_by;
 
 TEST(Fixed, MeetsAtTheEndOfTheStep) {
@@ -31,21 +32,9 @@ TEST(Fixed, PutsBackWhatOverlaps) {
   EXPECT_GT(states[1].position.x, 0.5);
 }
 
-/// The mean error of the meeting over many distances.
-double mean_error_s(double step_s) {
-  double sum = 0;
-  constexpr int shots = 200;
-  for (int i = 0; i < shots; ++i) {
-    const double distance_m = 0.4 + 0.1 * i / shots;
-    const physics::Shot shot = shot_by(FixedStep{step_s}, head_on(distance_m));
-    sum += time_of(shot.events.front()) - support::head_on_meeting_s<double>(distance_m);
-  }
-  return sum / shots;
-}
-
 TEST(Fixed, ErrsByTheFirstPowerOfTheStep) {
   for (const double step_s : {1e-2, 1e-3, 1e-4}) {
-    EXPECT_NEAR(mean_error_s(step_s) / step_s, 0.5, 0.1) << step_s;
+    EXPECT_NEAR(mean_error_s(FixedStep{step_s}) / step_s, 0.5, 0.1) << step_s;
   }
 }
 

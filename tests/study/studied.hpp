@@ -44,6 +44,18 @@ Real head_on_meeting_s(double distance_m) {
   return 2 * gap / (2 + sqrt(4 - 2 * deceleration * gap));
 }
 
+/// The mean error of that meeting over many distances.
+inline double mean_error_s(const study::Method& method) {
+  double sum = 0;
+  constexpr int shots = 200;
+  for (int i = 0; i < shots; ++i) {
+    const double distance_m = 0.4 + 0.1 * i / shots;
+    const physics::Shot shot = shot_by(method, head_on(distance_m));
+    sum += time_of(shot.events.front()) - head_on_meeting_s<double>(distance_m);
+  }
+  return sum / shots;
+}
+
 /// The break of 16 balls on an 8-foot table, without spin or with all that is modelled.
 inline Setting break_shot(bool full) {
   Setting setting;
