@@ -50,7 +50,8 @@ std::string text_of(const std::string& path) {
 void run_report(const Options& options) {
   const bench::StudyFiles files(options.data);
   const std::string page = bench::filled(text_of(options.page), files);
-  std::ofstream(options.to + "/accuracy.md") << page;
+  std::ofstream(std::filesystem::path(options.to) / std::filesystem::path(options.page).filename())
+      << page;
   std::ofstream(options.data + "/plots.gp") << bench::plots(files);
 }
 
@@ -68,7 +69,7 @@ int main(int argc, char** argv) {
       "report", "Fill the tables of a page from the CSV files; write plots.gp beside them");
   report->add_option("--data", options.data, "The folder of the files")->capture_default_str();
   report->add_option("--page", options.page, "The page with its tables marked")->required();
-  report->add_option("--to", options.to, "The folder for the filled accuracy.md")->required();
+  report->add_option("--to", options.to, "The folder for the filled page")->required();
   CLI::App* simulate =
       program.add_subcommand("simulate", "Simulate and print nothing, for counting instructions");
   simulate->add_option("WAY", options.words, "SET METHOD SCALAR STEP, or SET VARIATION")

@@ -231,7 +231,9 @@ StudyFiles::StudyFiles(const std::string& directory)
       needs(directory + "/requires.csv",
             {"set", "phenomenon", "choice", "shots", "cpu_us", "instructions", "events",
              "first_contact", "cushions", "pocketed", "outcome"}),
-      engines(directory + "/engines.csv", {"engine", "program", "instructions"}) {}
+      engines(directory + "/engines.csv", {"engine", "program", "instructions"}),
+      determinism(directory + "/determinism.csv",
+                  {"build", "how", "lines", "differ", "built_s", "ran_s"}) {}
 
 void measure(StudyFiles& files, const StudyOptions& options) {
   std::vector<Task> tasks;

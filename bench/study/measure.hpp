@@ -1,6 +1,7 @@
 // Runs the study and keeps what it finds in CSV files: points.csv has a row for each set and way to
 // simulate it, errors.csv its errors by the number of contacts, requires.csv the full model with
 // phenomena left out, engines.csv a plain break by an engine that has them and by one that has not.
+// determinism.csv is not measured here: tests/golden/portable/compare leaves it.
 #pragma once
 
 #include <functional>
@@ -18,6 +19,7 @@ struct StudyFiles {
   TableFile errors;
   TableFile needs;
   TableFile engines;
+  TableFile determinism;
 };
 
 struct StudyOptions {

@@ -245,6 +245,15 @@ std::string engines_table(const StudyFiles& files) {
   return table.text();
 }
 
+std::string determinism_table(const StudyFiles& files) {
+  Table table({"build", "how", "other lines", "of", "built, s", "ran, s"});
+  for (const Row& row : files.determinism.rows()) {
+    table.add({row.at("build"), row.at("how"), row.at("differ"), row.at("lines"), row.at("built_s"),
+               row.at("ran_s")});
+  }
+  return table.text();
+}
+
 std::string table_named(const std::string& name, const StudyFiles& files) {
   if (name == "machine") return machine(files);
   if (name == "sets") return sets_table(files);
@@ -253,6 +262,7 @@ std::string table_named(const std::string& name, const StudyFiles& files) {
   if (name == "winners") return winners_table(files);
   if (name == "requires") return needs_table(files);
   if (name == "engines") return engines_table(files);
+  if (name == "determinism") return determinism_table(files);
   if (name.starts_with("methods ")) return methods_table(files, name.substr(8));
   throw std::runtime_error("the page asks for a table that there is not: " + name);
 }

@@ -22,6 +22,7 @@ struct Options {
   std::optional<double> step_s;
   std::optional<double> until_s;
   std::vector<double> slices_s;
+  std::uint32_t physics = physics::physics_version;
   bool audit = false;
 };
 
@@ -71,6 +72,10 @@ void check(const Options& options) {
   for (const double slice : options.slices_s) {
     if (!(slice >= 0)) throw CommandError("--slices: must be times of at least 0", exit_usage);
   }
+  if (options.physics < 1 || options.physics > physics::physics_version) {
+    throw CommandError("--physics: must be from 1 to " + std::to_string(physics::physics_version),
+                       exit_usage);
+  }
 }
 
 wire::Scenario scenario_of(const std::string& file) {
@@ -86,9 +91,11 @@ wire::Scenario scenario_of(const std::string& file) {
 
 Simulated simulate(const wire::Scenario& scenario, const study::Method& method,
                    const Options& options) {
+  physics::Limits limits = scenario.limits;
+  limits.physics = options.physics;
   study::Simulation simulation(
       method, scalar_of(options),
-      {scenario.scene, scenario.state, scenario.strike, scenario.seed, scenario.limits});
+      {scenario.scene, scenario.state, scenario.strike, scenario.seed, limits});
   const double until = options.until_s.value_or(physics::never<double>);
   for (const double slice : options.slices_s) simulation.advance_to(std::min(slice, until));
   if (simulation.advance_to(until) == physics::Progress::paused) {
@@ -149,6 +156,11 @@ Command add_simulate(CLI::App& program, const Globals&) {
   parser->add_option("--slices", options->slices_s, "Advance in slices that end at these times")
       ->delimiter(',')
       ->type_name("T1,T2,..");
+  parser
+      ->add_option("--physics", options->physics,
+                   "Version of the physics whose bits to give: that of a record's header")
+      ->type_name("N")
+      ->capture_default_str();
   parser->add_flag("--audit", options->audit, "Report energy rises and penetrations");
   parser->footer(
       "Exit status: 0 done, 2 bad input, 3 the shot stalled.\n"

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "common/physics/simulate.hpp"
 #include "tests/support/replace.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/subprocess.hpp"
@@ -99,6 +100,7 @@ TEST(Simulate, NamesTheFieldOfBadInputAndPrintsNothingElse) {
 }
 
 TEST(Simulate, RefusesMethodsStepsAndScalarsThatMakeNoSense) {
+  const std::string present_physics = std::to_string(physics::physics_version);
   const std::vector<std::pair<std::vector<std::string>, std::string>> senseless = {
       {{"--method", "euler"}, "--method: euler: must be one of exact, fixed, swept, literal"},
       {{"--method", "fixed"}, "--dt: the fixed method needs a time step"},
@@ -107,7 +109,9 @@ TEST(Simulate, RefusesMethodsStepsAndScalarsThatMakeNoSense) {
       {{"--method", "literal", "--dt", "-1"}, "--dt: must be from 1e-9 to 1000 s"},
       {{"--scalar", "half"}, "--scalar: half: must be one of float, double, longdouble, reference"},
       {{"--dt", "0.1"}, "--dt: the exact method has no time step"},
-      {{"--until", "-1"}, "--until: must be a time of at least 0"}};
+      {{"--until", "-1"}, "--until: must be a time of at least 0"},
+      {{"--physics", "0"}, "--physics: must be from 1 to " + present_physics},
+      {{"--physics", "99"}, "--physics: must be from 1 to " + present_physics}};
   for (const auto& [options, why] : senseless) {
     const auto ran = simulate(scenario, options);
     EXPECT_EQ(ran.status, 2) << options[0];
@@ -115,6 +119,17 @@ TEST(Simulate, RefusesMethodsStepsAndScalarsThatMakeNoSense) {
     EXPECT_EQ(ran.err, "breakshot: " + why + "\n");
   }
   EXPECT_EQ(support::run({BREAKSHOT_PROGRAM, "simulate", "/no/such/file"}).status, 2);
+}
+
+TEST(Simulate, GivesTheBitsOfEarlierVersionsOfThePhysics) {
+  const std::string frozen = BREAKSHOT_GOLDEN_DIR "/shots/break_frozen_head_on.json";
+  const auto last_line = [&frozen](const std::string& physics) {
+    return lines_of(support::run({BREAKSHOT_PROGRAM, "simulate", frozen, "--physics", physics}).out)
+        .back();
+  };
+  EXPECT_NE(last_line("1").find("0f1c43a9baaf7eaf"), std::string::npos) << last_line("1");
+  EXPECT_EQ(last_line("2"), last_line("1"));
+  EXPECT_NE(last_line("3").find("7593e09223adaeec"), std::string::npos) << last_line("3");
 }
 
 TEST(Simulate, NamesThePartOfASceneThatTheLiteralMethodDoesNotKnow) {

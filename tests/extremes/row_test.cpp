@@ -67,7 +67,7 @@ TEST(Cradle, OfRollingBallsKeepsOrderAndMomentum) {
 }
 
 // Follow presses the cue ball into the row for some 0.3 s, and the row hops: 578 events for two
-// balls in line, 1,090 for three, 2,276 for five. What friction takes from a hop in the middle is
+// balls in line, 1,098 for three, 2,290 for five. What friction takes from a hop in the middle is
 // given back when less than half a least hop is left.
 TEST(Cradle, OfARollingBallIntoARowHopsABoundedNumberOfTimes) {
   const Scene scene = full_table();
