@@ -10,7 +10,7 @@
 
 #include "common/physics/cloth.hpp"
 #include "common/physics/rails.hpp"
-#include "common/physics/roots.hpp"
+#include "common/physics/version.hpp"
 
 namespace breakshot::physics {
 
@@ -35,8 +35,7 @@ struct Bounce {
 /// rests on them: it separates at a speed of its own, which makes a bounded number of hops of a
 /// push. With e < 1 that is elastic_below. Elastic contacts have none; where spin or friction can
 /// push one ball against another for long they take the default of the others: else a push is an
-/// endless run of ever the same tiny hop. Only smooth ones of straight courses with turned normals
-/// are left alone, as on the paper's table: records of version 1 of the physics hold its shots.
+/// endless run of ever the same tiny hop.
 /// "Hardly" is this share of that speed: without spin, and with it, where pushes last.
 inline constexpr double resting_share = 1e-3;
 inline constexpr double resting_share_with_spin = 0.5;
@@ -101,7 +100,7 @@ struct PocketMouths {
 
 template <class Real>
 struct Laws {
-  explicit Laws(const Scene& scene, EntryFinder finder = EntryFinder::quartics);
+  explicit Laws(const Scene& scene, std::uint32_t physics = physics_version);
 
   /// The pocket that takes a ball which meets `nose` with its centre at `position`, if any: of
   /// standard pockets.
@@ -231,8 +230,8 @@ Path<Real> fixed_at(Vec2 place) {
 }
 
 template <class Real>
-Laws<Real>::Laws(const Scene& scene, EntryFinder entry_finder)
-    : finder(entry_finder),
+Laws<Real>::Laws(const Scene& scene, std::uint32_t physics)
+    : finder(finder_of(physics)),
       radius(Real(scene.ball.radius_m)),
       diameter(2 * Real(scene.ball.radius_m)),
       cloth(scene) {
@@ -270,7 +269,8 @@ Laws<Real>::Laws(const Scene& scene, EntryFinder entry_finder)
     perturb_balls = scene.perturbation->ball;
     perturb_cushions = scene.perturbation->cushion;
   }
-  const bool pushes = cloth.spins() || rubs() || (cloth.slows() && perturb_balls == 0);
+  const bool may_rest = perturb_balls == 0 || turned_contacts_rest(physics);
+  const bool pushes = cloth.spins() || rubs() || (cloth.slows() && may_rest);
   if (pushes) elastic_hop_m_s = Real(default_elastic_below_m_s);
 }
 

@@ -27,7 +27,7 @@ class Loop {
  public:
   Loop(const Scene& scene, const State& state, const std::optional<Strike>& strike,
        const ShotSeed& seed, const Limits& limits)
-      : laws_(scene, finder_of(limits.physics)),
+      : laws_(scene, limits.physics),
         limits_(limits),
         calendar_(laws_, top_speed_of(state, strike), state.balls.size()),
         contacts_(laws_, seed) {

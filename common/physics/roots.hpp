@@ -6,12 +6,12 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <limits>
 #include <optional>
 
 #include "common/physics/exact.hpp"
 #include "common/physics/vec.hpp"
+#include "common/physics/version.hpp"
 
 namespace breakshot::physics {
 
@@ -90,12 +90,6 @@ Real bracketed_root(Real low, Real high, Real guess, bool rising, const Value& v
   return settled.value_or(t);
 }
 
-/// How an entry is found once its stretch is known.
-enum class EntryFinder : std::uint8_t {
-  newton,    ///< from the end of the stretch to the last bit: versions 1 and 2 of the physics
-  quartics,  ///< from its start, in a fifth of the steps
-};
-
 /// A squared distance less another, seen from `time`, s seconds on:
 /// value + 2 slope s + bend s^2 + cubic s^3 + quartic s^4.
 template <class Real>
@@ -114,7 +108,8 @@ struct Quartic {
   };
 
   /// Where the parabola falls to zero, if it does, set right by one step of Newton's method with
-  /// the last terms.
+  /// the last terms. Exact if a second step would be below the last bit, and if what rounding makes
+  /// of the steepness, a small difference seen from far away, is.
   Root root() const {
     const Real s = slope < 0 ? value / (steepness - slope) : -(slope + steepness) / bend;
     const Real fall = 2 * steepness - (3 * cubic + 4 * quartic * s) * s * s;
@@ -122,7 +117,10 @@ struct Quartic {
     const Real step = (cubic + quartic * s) * s * s * s / fall;
     const Real turning = magnitude(bend) + (3 * magnitude(cubic) + 6 * quartic * s) * magnitude(s);
     const Real root = time + (s + step);
-    return {root, 2 * turning * step * step <= std::numeric_limits<Real>::epsilon() * root * fall};
+    const Real resolution = std::numeric_limits<Real>::epsilon() * root;
+    return {root,
+            2 * turning * step * step <= resolution * fall &&
+                magnitude(s) * slope * slope <= root * steepness * (steepness + magnitude(slope))};
   }
 };
 

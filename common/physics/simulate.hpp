@@ -8,15 +8,10 @@
 
 #include "common/physics/event.hpp"
 #include "common/physics/perturbation.hpp"
-#include "common/physics/roots.hpp"
 #include "common/physics/scene.hpp"
+#include "common/physics/version.hpp"
 
 namespace breakshot::physics {
-
-/// Changes whenever the same input may give other bits, if it is one that a match can have. Records
-/// name it. Version 1 had no spin, no friction at contacts, no jaws and no arcs; up to version 2
-/// the last bits of meetings were found otherwise (`EntryFinder`, roots.hpp).
-inline constexpr std::uint32_t physics_version = 3;
 
 /// What one simulation keeps to.
 struct Limits {
@@ -24,10 +19,6 @@ struct Limits {
   std::optional<double> horizon_s;  ///< stop here, s > 0; required where balls may never rest
   std::uint32_t physics = physics_version;  ///< whose bits it gives, [1, physics_version]
 };
-
-constexpr EntryFinder finder_of(std::uint32_t physics) {
-  return physics < 3 ? EntryFinder::newton : EntryFinder::quartics;
-}
 
 /// Events in one shot of a match.
 inline constexpr std::size_t max_match_events = 20'000;

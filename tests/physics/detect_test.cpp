@@ -183,6 +183,47 @@ TEST(EntryFinders, AgreeOnWhatMeetsAndWhen) {
   EXPECT_GT(misses, 5000);
 }
 
+TEST(EntryFinders, KeepTheLastBitFromAfarOnNearlyStraightRelativePaths) {
+  // Two balls that slide alike, as after the same cushion: seen from afar the discriminant cancels.
+  Chance chance(6);
+  int hits = 0;
+  for (int i = 0; i < 5'000; ++i) {
+    auto [a, b] = near_pass(chance, -chance.between(0.1, 1), chance.between(0.1, 0.8), 0.5);
+    b.segment.acceleration = a.segment.acceleration + Vec2{0, chance.between(-1, 1) * 1e-16};
+    if (length(b.segment.position - a.segment.position) < 5 * diameter) continue;
+    const double t = contact_time(a, b, diameter);
+    const auto distant = [](const Path<double>& path) {
+      const auto wide = [](Vec2 v) { return BasicVec2<long double>{v.x, v.y}; };
+      Path<long double> p;
+      p.segment = {path.segment.ball,
+                   path.segment.phase,
+                   0,
+                   wide(path.segment.position),
+                   wide(path.segment.velocity),
+                   wide(path.segment.acceleration),
+                   {},
+                   {}};
+      p.speed = path.speed;
+      p.end_s = path.end_s;
+      p.curved = path.curved;
+      return p;
+    };
+    const long double exact =
+        contact_time<long double>(distant(a), distant(b), diameter, EntryFinder::newton);
+    ASSERT_EQ(t < never<double>, exact < never<long double>) << "case " << i;
+    if (t == never<double>) continue;
+    ++hits;
+    const Vec2 d = position_at(b.segment, t) - position_at(a.segment, t);
+    const Vec2 w = velocity_at(b.segment, t) - velocity_at(a.segment, t);
+    const double closing = -dot(d, w) / diameter;
+    // Two ulps of the time, and one of where the balls start, a few metres away at most.
+    ASSERT_NEAR(static_cast<double>(exact - static_cast<long double>(t)), 0,
+                4.5e-16 * t + 9e-16 / closing)
+        << "case " << i;
+  }
+  EXPECT_GT(hits, 1000);
+}
+
 TEST(Contact, AfterTheTimeAskedForIsNotMissedBefore) {
   Chance chance(5);
   int late = 0;
