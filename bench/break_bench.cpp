@@ -124,8 +124,8 @@ void pair_detection(benchmark::State& state) {
   for (std::uint32_t number = 0; number < 20; ++number) {
     recorder.record(break_of(scenario, number));
   }
-  const physics::PairDetector<double> detector(recorder.laws().diameter,
-                                               1 + scenario.strike->speed_m_s);
+  const physics::PairDetector<double> detector(
+      recorder.laws().diameter, 1 + scenario.strike->speed_m_s, recorder.laws().finder);
   constexpr int repeats = 200;
   std::vector<double> times;
   for (auto _ : state) {

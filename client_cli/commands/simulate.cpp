@@ -9,6 +9,7 @@
 #include "client_cli/simulation_report.hpp"
 #include "common/physics/audit.hpp"
 #include "common/physics/validation.hpp"
+#include "common/record/record.hpp"
 #include "common/study/simulation.hpp"
 #include "common/wire/scenario.hpp"
 
@@ -120,9 +121,12 @@ int run(const Options& options) {
         (step ? "--dt: " : options.file + ": " + refusal->field + ": ") + refusal->what,
         exit_usage);
   }
+  if (const auto newer = record::newer_part_of(scenario.scene, options.physics)) {
+    throw CommandError("--physics: " + *newer, exit_usage);
+  }
   const Simulated simulated = simulate(scenario, method, options);
   std::optional<physics::Audit> audit;
-  if (options.audit) audit = physics::audit(scenario.scene, simulated.shot);
+  if (options.audit) audit = physics::audit(scenario.scene, simulated.shot, options.physics);
   print_report(std::cout, simulated, audit);
   return simulated.ending == Ending::stalled ? exit_stalled : exit_done;
 }

@@ -84,7 +84,7 @@ class OwnEvents {
                   Real until_s) const {
     const BasicSegment<Real>& s = path.segment;
     const Real span = smaller(until_s - s.start_s, Real(longest_span_s<Real>));
-    return PairDetector<Real>(distance, top_speed_)
+    return PairDetector<Real>(distance, top_speed_, laws_.finder)
                .separation(centre.segment.position - s.position, -s.velocity, -s.acceleration,
                            span) > 0;
   }

@@ -13,8 +13,8 @@ namespace {
 /// Follows a shot from instant to instant.
 class Auditor {
  public:
-  Auditor(const Scene& scene, const Shot& shot)
-      : scene_(scene), shot_(shot), laws_(scene), balls_(Timeline(shot).balls()) {
+  Auditor(const Scene& scene, const Shot& shot, std::uint32_t physics)
+      : scene_(scene), shot_(shot), laws_(scene, physics), balls_(Timeline(shot).balls()) {
     now_.resize(balls_.size());
     coordinates_.resize(balls_.size());
   }
@@ -162,8 +162,8 @@ class Auditor {
 
 }  // namespace
 
-Audit audit(const Scene& scene, const Shot& shot) {
-  return Auditor(scene, shot).run();
+Audit audit(const Scene& scene, const Shot& shot, std::uint32_t physics) {
+  return Auditor(scene, shot, physics).run();
 }
 
 }  // namespace breakshot::physics

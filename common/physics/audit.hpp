@@ -4,6 +4,7 @@
 
 #include "common/physics/event.hpp"
 #include "common/physics/scene.hpp"
+#include "common/physics/version.hpp"
 
 namespace breakshot::physics {
 
@@ -22,6 +23,7 @@ struct Audit {
   double worst_excess_m = 0;
 };
 
-Audit audit(const Scene& scene, const Shot& shot);
+/// The shot must be of that version of the physics: what contacts may give depends on it.
+Audit audit(const Scene& scene, const Shot& shot, std::uint32_t physics = physics_version);
 
 }  // namespace breakshot::physics

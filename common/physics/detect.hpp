@@ -11,16 +11,6 @@
 namespace breakshot::physics {
 
 template <class Real>
-constexpr Real larger(Real a, Real b) {
-  return a < b ? b : a;
-}
-
-template <class Real>
-constexpr Real smaller(Real a, Real b) {
-  return b < a ? b : a;
-}
-
-template <class Real>
 constexpr Real largest_coordinate(BasicVec2<Real> a) {
   return larger(magnitude(a.x), magnitude(a.y));
 }
@@ -142,8 +132,8 @@ bool only_approaches(const Relative<Real>& motion, Real distance, Real span, boo
 /// phases, or never. Touching and approaching is at once. Of what is certainly after `until_s`
 /// nothing is said; else that makes no difference.
 template <class Real>
-Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter,
-                  EntryFinder finder = EntryFinder::quartics, Real until_s = never<Real>) {
+Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter, EntryFinder finder,
+                  Real until_s = never<Real>) {
   using std::sqrt;
   const Encounter<Real> e = encounter(a, b);
   const Relative<Real>& relative = e.relative;

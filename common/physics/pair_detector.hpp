@@ -14,7 +14,7 @@ template <class Real>
 class PairDetector {
  public:
   /// No ball is faster than `top_speed`, m/s.
-  PairDetector(Real diameter, Real top_speed, EntryFinder finder = EntryFinder::quartics)
+  PairDetector(Real diameter, Real top_speed, EntryFinder finder)
       : diameter_(diameter),
         finder_(finder),
         reach_square_(diameter * margin() * (diameter * margin())),

@@ -115,12 +115,12 @@ struct Quartic {
     const Real fall = 2 * steepness - (3 * cubic + 4 * quartic * s) * s * s;
     if (!(fall > 0)) return {time + s, false};
     const Real step = (cubic + quartic * s) * s * s * s / fall;
-    const Real turning = magnitude(bend) + (3 * magnitude(cubic) + 6 * quartic * s) * magnitude(s);
+    const Real far = magnitude(s);
+    const Real turning = magnitude(bend) + (3 * magnitude(cubic) + 6 * quartic * far) * far;
     const Real root = time + (s + step);
     const Real resolution = std::numeric_limits<Real>::epsilon() * root;
-    return {root,
-            2 * turning * step * step <= resolution * fall &&
-                magnitude(s) * slope * slope <= root * steepness * (steepness + magnitude(slope))};
+    return {root, 2 * turning * step * step <= resolution * fall &&
+                      far * slope * slope <= root * steepness * (steepness + magnitude(slope))};
   }
 };
 
@@ -192,6 +192,7 @@ class EntrySearch {
     if (finder_ == EntryFinder::newton) return falling(from, turn(from, to, true));
     Real high = to;
     Quartic<Real> seen = quartic_at(from, distance_);
+    // A value of 0 decides nothing yet: rounding makes one of what just grazes.
     for (int step = 0; seen.value > 0 && step < patient_steps; ++step) {
       Real next = seen.time - seen.slope / seen.bend;
       if (seen.slope < 0 && seen.steepness > 0) {
@@ -241,8 +242,8 @@ class EntrySearch {
       Real next = low;
       if (seen.steepness > 0) {
         const auto root = seen.root();
-        if (root.exact && root.time >= low && root.time <= high) return root.time;
         next = root.time;
+        if (root.exact && is_between(low, next, high)) return smaller(larger(next, low), high);
       }
       const bool halve = step > patient_steps && step % 2 == 0;
       if (halve || !(next > low && next < high)) next = low + (high - low) / 2;
@@ -250,6 +251,12 @@ class EntrySearch {
       seen = quartic_at(next, distance);
     }
     return seen.time;
+  }
+
+  /// Whether rounding alone may have put `t` beyond one of the others.
+  static bool is_between(Real low, Real t, Real high) {
+    const Real slack = 4 * std::numeric_limits<Real>::epsilon() * t;
+    return t >= low - slack && t <= high + slack;
   }
 
   Quartic<Real> quartic_at(Real t, Real distance) const {

@@ -38,6 +38,16 @@ struct BasicVec3 {
 };
 
 template <class Real>
+constexpr Real larger(Real a, Real b) {
+  return a < b ? b : a;
+}
+
+template <class Real>
+constexpr Real smaller(Real a, Real b) {
+  return b < a ? b : a;
+}
+
+template <class Real>
 Real magnitude(Real x) {
   using std::abs;
   return abs(x);

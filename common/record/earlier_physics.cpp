@@ -71,8 +71,7 @@ std::optional<std::string> newer_part_of(const physics::Scene& scene, std::uint3
   };
   for (const auto& [field, name] : parts) {
     if (!name) continue;
-    return std::string(field) + ": " + *name +
-           " came with version 2 of the physics; the header says 1";
+    return std::string(field) + ": " + *name + " came with version 2 of the physics";
   }
   return std::nullopt;
 }

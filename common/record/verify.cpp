@@ -18,7 +18,9 @@ match::Seq seq_at(std::size_t index) {
 /// What keeps a match from being started from `header`.
 Fault start_fault(const Header& header) {
   if (auto fault = fault_of(header)) return fault;
-  if (auto fault = newer_part_of(header.settings.scene, header.physics)) return fault;
+  if (auto fault = newer_part_of(header.settings.scene, header.physics)) {
+    return *fault + "; the header says " + std::to_string(header.physics);
+  }
   const std::vector<physics::Fault> faults = match::faults_of(header.settings);
   if (faults.empty()) return std::nullopt;
   return faults.front().field + ": " + faults.front().what;

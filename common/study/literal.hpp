@@ -77,7 +77,7 @@ class LiteralCalendar : public StepCalendar<Real> {
   void ask_pairs(std::uint32_t ball) {
     for (std::uint32_t other = ball + 1; other < tangents_.size(); ++other) {
       if (!this->present(other) || (this->still(ball) && this->still(other))) continue;
-      const Real t = contact_time(tangents_[ball], tangents_[other], laws_.diameter);
+      const Real t = contact_time(tangents_[ball], tangents_[other], laws_.diameter, laws_.finder);
       if (t < physics::never<Real>) hit(ball, t, physics::Due::ball, other);
     }
   }

@@ -23,7 +23,7 @@ class SweptCalendar : public StepCalendar<Real> {
   SweptCalendar(const physics::Laws<Real>& laws, Real top_speed, std::size_t balls)
       : Base(laws, top_speed, balls),
         own_events_(laws, top_speed),
-        detector_(laws.diameter, top_speed),
+        detector_(laws.diameter, top_speed, laws.finder),
         chords_(balls) {}
 
   /// What changed at this instant is followed from this instant.
