@@ -263,8 +263,10 @@ TEST(Contact, AfterTheTimeAskedForIsNotMissedBefore) {
   Chance chance(5);
   int late = 0;
   for (int i = 0; i < 20'000; ++i) {
-    const auto [a, b] =
+    const auto pass =
         near_pass(chance, -chance.between(0, 1), chance.between(0.01, 0.8), chance.between(0, 0.5));
+    const Path<double>& a = pass[0];
+    const Path<double>& b = pass[1];
     const double t = contact_time(a, b, diameter, EntryFinder::quartics);
     if (t == never<double>) continue;
     const auto by = [&a, &b](double until_s) {
