@@ -13,7 +13,7 @@ inline constexpr std::uint32_t physics_version = 3;
 /// How the entry into contact is found once its stretch is known.
 enum class EntryFinder : std::uint8_t {
   newton,    ///< from the end of the stretch to the last bit: up to version 2
-  quartics,  ///< from its start, in a fifth of the steps
+  quartics,  ///< from its start, in far fewer steps
 };
 
 constexpr EntryFinder finder_of(std::uint32_t physics) {

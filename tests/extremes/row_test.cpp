@@ -81,7 +81,8 @@ TEST(Cradle, OfARollingBallIntoARowHopsABoundedNumberOfTimes) {
 }
 
 // Elastic balls of straight courses have nothing that takes energy but the cloth: a tight triangle
-// hops, and comes to rest. Until version 3 of the physics one in some hundred thousand did not.
+// hops, and comes to rest. WeakContact, in tests/physics, has a contact that version 2 never let
+// rest.
 TEST(Triangle, OfElasticBallsWithTurnedNormalsComesToRest) {
   for (std::uint32_t number = 0; number < 2'000; ++number) {
     Chance chance(number);
