@@ -1,4 +1,6 @@
 // `breakshot simulate` from outside.
+#include <gtest/gtest.h>
+
 #include <fstream>
 #include <string>
 #include <vector>
