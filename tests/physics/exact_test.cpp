@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "common/physics/exact.hpp"
 
 #include <cmath>
