@@ -52,8 +52,12 @@ Opening OpeningOptions::opening() const {
 
 lobby::Create OpeningOptions::create() const {
   const bool practice = game_ == match::GameKind::practice;
-  return {preset_, game_, static_cast<std::uint8_t>(practice ? seats_ : 2), practice ? 1 : race_to_,
-          private_};
+  return {preset_,
+          game_,
+          static_cast<std::uint8_t>(practice ? seats_ : 2),
+          practice ? 1 : race_to_,
+          private_,
+          std::nullopt};
 }
 
 }  // namespace breakshot::client

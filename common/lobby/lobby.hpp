@@ -28,6 +28,8 @@ using Token = std::array<std::uint8_t, 32>;
 /// Lets its holder join, watch and fetch a private match: 10 characters of Crockford's base 32 in
 /// upper case. Codes that people type are understood in lower case too, and with I, L and O.
 using InviteCode = std::string;
+/// Random bytes of a client's by which a Create that is sent again is known.
+using CreationKey = std::array<std::uint8_t, 16>;
 
 // Limits of what clients may say, in one place. What a name may be: common/lobby/name.hpp.
 inline constexpr std::size_t max_preset_bytes = 64;
@@ -44,13 +46,17 @@ struct Hello {
 
   friend bool operator==(const Hello&, const Hello&) = default;
 };
-/// Opens a match and takes seat 0; answered by MatchNews. The asker follows it from then on.
+/// Opens a match and takes seat 0; answered by MatchNews. The asker follows it from then on. The
+/// same Create with the same key, sent again by the same guest since the answer was lost, is
+/// answered with the match that it opened, as long as that is open or running, the server has not
+/// been started anew and the guest has not given up the seat.
 struct Create {
   std::string preset;  ///< a name out of physics::presets(); empty: the default
   match::GameKind game = match::GameKind::eight_ball;
   std::uint8_t seats = 2;
   std::uint32_t race_to = 1;
   bool is_private = false;
+  std::optional<CreationKey> key;  ///< missing: each one opens another match
 
   friend bool operator==(const Create&, const Create&) = default;
 };
@@ -170,7 +176,7 @@ enum class RefusalCode : std::uint8_t {
   too_early,  ///< a claim before the opponent has been away for long enough
   too_many,   ///< a limit of the server is reached; the text names it
   /// The store failed or the server is stopping; nothing was changed as far as anyone was told.
-  /// Asking again, with the same command id, is safe.
+  /// Asking again, with the same command id or key, is safe.
   unavailable,
   command,  ///< match::Refusal: `detail` says which
 };

@@ -8,6 +8,21 @@
 #include "common/match/match.hpp"
 
 namespace breakshot::wire {
+namespace {
+
+template <std::size_t size>
+std::array<std::uint8_t, size> sized_bytes(const std::string& value, const Where& at) {
+  std::array<std::uint8_t, size> bytes{};
+  if (value.size() == size) {
+    std::copy(value.begin(), value.end(), bytes.begin());
+  } else {
+    at.refuse("has " + std::to_string(value.size()) + " bytes; it must have " +
+              std::to_string(size));
+  }
+  return bytes;
+}
+
+}  // namespace
 
 void Where::refuse(std::string what) const {
   if (!fault_) fault_ = physics::Fault{path(), std::move(what)};
@@ -46,19 +61,19 @@ physics::PocketId pocket(std::uint32_t value, const Where& at) {
 }
 
 std::array<std::uint8_t, 32> bytes32(const std::string& value, const Where& at) {
-  std::array<std::uint8_t, 32> bytes{};
-  if (value.size() == bytes.size()) {
-    std::copy(value.begin(), value.end(), bytes.begin());
-  } else {
-    at.refuse("has " + std::to_string(value.size()) + " bytes; it must have 32");
-  }
-  return bytes;
+  return sized_bytes<32>(value, at);
 }
 
 std::optional<std::array<std::uint8_t, 32>> optional_bytes32(const std::string& value,
                                                              const Where& at) {
   if (value.empty()) return std::nullopt;
   return bytes32(value, at);
+}
+
+std::optional<std::array<std::uint8_t, 16>> optional_bytes16(const std::string& value,
+                                                             const Where& at) {
+  if (value.empty()) return std::nullopt;
+  return sized_bytes<16>(value, at);
 }
 
 std::string text(const std::string& value, const Where& at) {

@@ -47,6 +47,8 @@ std::array<std::uint8_t, 32> bytes32(const std::string& value, const Where& at);
 /// Empty is missing.
 std::optional<std::array<std::uint8_t, 32>> optional_bytes32(const std::string& value,
                                                              const Where& at);
+std::optional<std::array<std::uint8_t, 16>> optional_bytes16(const std::string& value,
+                                                             const Where& at);
 /// A text for people.
 std::string text(const std::string& value, const Where& at);
 /// The name of a scene.

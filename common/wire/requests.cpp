@@ -42,6 +42,7 @@ struct RequestWriter {
     said.set_seats(create.seats);
     said.set_race_to(create.race_to);
     said.set_is_private(create.is_private);
+    if (create.key) said.set_key(create.key->data(), create.key->size());
   }
   void operator()(const lobby::Join& join) const { write_target(join, *message.mutable_join()); }
   void operator()(const lobby::Watch& watch) const {
@@ -106,7 +107,10 @@ lobby::Create read(const v1::Create& message, const Where& at) {
   const Where game(at, "game");
   return {preset(message.preset(), Where(at, "preset")),
           enumerated<match::GameKind>(message.game(), v1::GameKind_MAX, game),
-          seat_count(message.seats(), Where(at, "seats")), message.race_to(), message.is_private()};
+          seat_count(message.seats(), Where(at, "seats")),
+          message.race_to(),
+          message.is_private(),
+          optional_bytes16(message.key(), Where(at, "key"))};
 }
 
 lobby::List read(const v1::List& message, const Where& at) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/physics/table.hpp"
+#include "server/hub/creation.hpp"
 #include "server/hub/follow.hpp"
 #include "server/hub/play.hpp"
 #include "server/hub/presence.hpp"
@@ -129,6 +130,7 @@ std::optional<Begun> begun_with(const LiveMatch& match, const ledger::Seats& sea
 }  // namespace
 
 void create(Moment& moment, const Ask& ask, const lobby::Create& create, const Entropy& entropy) {
+  if (create_again(moment, ask, create)) return;
   auto settings = settings_of(create);
   if (const auto* fault = std::get_if<std::string>(&settings)) {
     return refuse(moment, ask.asker, Code::bad_request, *fault);
@@ -149,6 +151,7 @@ void create(Moment& moment, const Ask& ask, const lobby::Create& create, const E
   LiveMatch match;
   match.secret = secret_from(entropy);
   match.created = moment.now.steady;
+  if (create.key) match.creation = Creation{ask.guest.id, create};
   match.row.id = id;
   match.row.settings = std::get<match::Settings>(std::move(settings));
   match.row.commitment = match::commitment_of(match.secret);
@@ -160,7 +163,7 @@ void create(Moment& moment, const Ask& ask, const lobby::Create& create, const E
   match.away_since.resize(create.seats);
   ++open_connection(moment.state, ask.asker.connection)->joining;
   ledger::Batch batch = {ledger::CreateMatch{match.row, match.secret}};
-  store(moment, std::move(batch), StoringMatch{ask.asker, std::move(match)});
+  store(moment, std::move(batch), StoringMatch{ask.asker, std::move(match), {}});
 }
 
 void match_stored(Moment& moment, StoringMatch storing) {
@@ -170,14 +173,17 @@ void match_stored(Moment& moment, StoringMatch storing) {
   moment.out.push_back(Note{MatchOpened{id}});
   unreserve(moment, storing.asker);
   if (const ledger::Guest* guest = guest_of(moment.state, storing.asker.connection)) {
-    return sit_down(moment, {storing.asker, *guest}, match, match::Seq{});
+    sit_down(moment, {storing.asker, *guest}, match, match::Seq{});
   }
+  for (const Asker& asker : storing.again) come_back(moment, asker, match);
   note_presence(moment, match);
 }
 
 void match_failed(Moment& moment, const StoringMatch& storing) {
+  const std::string what = "the match could not be stored";
   unreserve(moment, storing.asker);
-  refuse(moment, storing.asker, Code::unavailable, "the match could not be stored");
+  refuse(moment, storing.asker, Code::unavailable, what);
+  for (const Asker& asker : storing.again) refuse(moment, asker, Code::unavailable, what);
 }
 
 void join(Moment& moment, const Ask& ask, LiveMatch& match, const lobby::Join& join) {
@@ -234,6 +240,8 @@ void leave(Moment& moment, const Ask& ask, LiveMatch& match) {
     update_presence(moment, match);
     return finish(moment, ask.asker, lobby::Done{});
   }
+  // Who gives up the seat knew of it: the next match with the same key is another one.
+  if (match.creation && match.creation->guest == ask.guest.id) match.creation.reset();
   ledger::Seats seats = match.row.seats;
   seats[rules::number(*seat)].reset();
   if (std::all_of(seats.begin(), seats.end(), [](const auto& sitter) { return !sitter; })) {

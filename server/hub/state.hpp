@@ -66,10 +66,19 @@ struct Waiting {
   lobby::Request request;
 };
 
+/// The request that opened a match, where it had a key: asked again it leads to the same match.
+/// Only in memory: of a match whose creation was not answered before the server was started anew
+/// nobody knows, and it expires as any that nobody joins.
+struct Creation {
+  ledger::GuestId guest;
+  lobby::Create wish;
+};
+
 /// A match that is not finished.
 struct LiveMatch {
   ledger::MatchRow row;
   match::Secret secret{};
+  std::optional<Creation> creation;
   hash::Digest digest{};             ///< of the last entry, or of the header before the first
   std::optional<match::Match> game;  ///< once it has started
   std::deque<ledger::EntryPointer> recent;
@@ -91,6 +100,7 @@ struct StoringGuest {
 struct StoringMatch {
   Asker asker;
   LiveMatch match;
+  std::vector<Asker> again;  ///< the same Create, sent again meanwhile
 };
 /// An entry with the match that it leads to.
 struct Played {

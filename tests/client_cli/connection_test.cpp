@@ -59,7 +59,8 @@ std::string play(Connection& connection) {
       }
     }
   };
-  const auto created = connection.ask(lobby::Create{"", match::GameKind::practice, 1, 1, false});
+  const auto created =
+      connection.ask(lobby::Create{"", match::GameKind::practice, 1, 1, false, {}});
   const match::MatchId id = std::get<lobby::MatchNews>(created).info.id;
   EXPECT_TRUE(std::holds_alternative<lobby::Done>(connection.ask(lobby::Contribute{id, {9}})));
   hear(1);

@@ -42,10 +42,10 @@ inline Player again(HubRig& rig, const Player& player) {
 }
 
 inline lobby::Create eight_ball(bool is_private = false) {
-  return {"", match::GameKind::eight_ball, 2, 1, is_private};
+  return {"", match::GameKind::eight_ball, 2, 1, is_private, std::nullopt};
 }
 inline lobby::Create practice(std::uint8_t seats = 1, bool is_private = false) {
-  return {"", match::GameKind::practice, seats, 1, is_private};
+  return {"", match::GameKind::practice, seats, 1, is_private, std::nullopt};
 }
 
 inline lobby::MatchInfo create(HubRig& rig, const Player& player, const lobby::Create& create) {

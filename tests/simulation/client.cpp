@@ -76,12 +76,20 @@ lobby::Request Client::something(Gossip& gossip) {
 }
 
 lobby::Request Client::wish() {
+  if (wish_ && chance_.coin()) {
+    wish_repeated_ = true;
+    return *wish_;
+  }
   lobby::Create create;
   const bool alone = chance_.below(4) == 0;
   create.game =
       alone || chance_.below(3) == 0 ? match::GameKind::practice : match::GameKind::eight_ball;
   create.seats = alone ? 1 : 2;
   create.is_private = chance_.below(3) == 0;
+  if (chance_.below(4) == 0) return create;
+  for (std::uint8_t& byte : create.key.emplace()) byte = static_cast<std::uint8_t>(chance_.bits());
+  wish_ = create;
+  wish_repeated_ = false;
   return create;
 }
 
@@ -234,6 +242,7 @@ void Client::hear_answer(lobby::RequestId id, const lobby::Answer& answer, Gossi
 }
 
 void Client::answered(const Open& open, const lobby::Answer& answer, Gossip& gossip) {
+  if (const auto* create = std::get_if<lobby::Create>(&open.request)) came_of(*create, answer);
   if (const auto* refused = std::get_if<lobby::Refused>(&answer)) {
     ++counts_.refused;
     const auto* act = std::get_if<lobby::Act>(&open.request);
@@ -265,6 +274,20 @@ void Client::answered(const Open& open, const lobby::Answer& answer, Gossip& gos
   } else if (std::holds_alternative<lobby::Done>(answer)) {
     if (const auto* leave = std::get_if<lobby::Leave>(&open.request)) follows_.erase(leave->match);
   }
+}
+
+void Client::came_of(const lobby::Create& create, const lobby::Answer& answer) {
+  const auto* news = std::get_if<lobby::MatchNews>(&answer);
+  if (news) {
+    require(news->you == match::Seat{0}, "one who opened a match is not at its first seat");
+    require(news->info.settings.game == create.game && news->info.is_private == create.is_private,
+            "a match was opened that was not asked for");
+  }
+  const auto* refused = std::get_if<lobby::Refused>(&answer);
+  const bool again = refused && refused->code == lobby::RefusalCode::unavailable;
+  if (!wish_ || wish_->key != create.key || again) return;
+  if (news && wish_repeated_) ++counts_.wishes_repeated;
+  wish_.reset();
 }
 
 void Client::learn(const lobby::MatchNews& news) {

@@ -46,6 +46,7 @@ class Client {
   struct Counts {
     std::size_t refused = 0;
     std::size_t repeats_answered = 0;  ///< a command sent again, answered with its entry
+    std::size_t wishes_repeated = 0;   ///< a Create sent again, answered with a match
     std::size_t fetched = 0;
   };
   const Counts& counts() const { return counts_; }
@@ -78,6 +79,7 @@ class Client {
   void learn(const lobby::EntryNews& news);
   void follow_on(const lobby::EntryNews& news);
   void answered(const Open& open, const lobby::Answer& answer, Gossip& gossip);
+  void came_of(const lobby::Create& create, const lobby::Answer& answer);
 
   std::string name_;
   support::Chance chance_;
@@ -92,6 +94,9 @@ class Client {
   /// The command that it has not seen answered yet, which it sends again.
   std::optional<lobby::Act> pending_;
   bool repeated_ = false;
+  /// The Create with a key that it has not seen answered yet, which it sends again.
+  std::optional<lobby::Create> wish_;
+  bool wish_repeated_ = false;
   Counts counts_;
 };
 

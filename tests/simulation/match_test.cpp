@@ -111,6 +111,26 @@ TEST(Simulation, AVanishedOpponentLosesTheMatchToAClaim) {
   evening.checked_record();
 }
 
+TEST(Simulation, AMatchWhoseCreationWasNotAnsweredIsOpenedOnce) {
+  Evening evening(7);
+  const auto open = [&] { return evening.eve().ask_for<lobby::Listing>(lobby::List{}).matches; };
+  const auto lose_the_answer = [&] {
+    const auto deadline = Clock::now() + support::patience;
+    while (open().empty() && Clock::now() < deadline) {
+    }
+    evening.ada().disconnect();
+    throw Lost{};
+  };
+  lobby::Create create;
+  create.key.emplace().fill(1);
+  EXPECT_THROW(evening.ada().ask(create, lose_the_answer), Lost);
+  evening.ada().connect(evening.server().port());
+  evening.ada().create(create);
+  const auto matches = open();
+  ASSERT_EQ(matches.size(), 1u);
+  EXPECT_EQ(matches.front().id, evening.ada().match());
+}
+
 /// Waits until the store has written, or some time has passed: just after a command is kept and
 /// before anybody is told.
 void await_write(const std::filesystem::path& data) {

@@ -303,6 +303,7 @@ World::Totals World::totals() const {
   }
   for (const Client& client : clients_) {
     totals.repeats_answered += client.counts().repeats_answered;
+    totals.wishes_repeated += client.counts().wishes_repeated;
     totals.fetched += client.counts().fetched;
     totals.refused += client.counts().refused;
   }

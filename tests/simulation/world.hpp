@@ -37,6 +37,7 @@ class World {
     std::size_t entries_told = 0;
     std::size_t outcomes_repeated = 0;
     std::size_t repeats_answered = 0;
+    std::size_t wishes_repeated = 0;
     std::size_t fetched = 0;
     std::size_t refused = 0;
   };

@@ -44,6 +44,7 @@ TEST_P(AnyWorld, KeepsEveryPromiseWhateverFails) {
     sum.entries_told += totals.entries_told;
     sum.outcomes_repeated += totals.outcomes_repeated;
     sum.repeats_answered += totals.repeats_answered;
+    sum.wishes_repeated += totals.wishes_repeated;
     sum.fetched += totals.fetched;
     sum.refused += totals.refused;
   }
@@ -52,7 +53,8 @@ TEST_P(AnyWorld, KeepsEveryPromiseWhateverFails) {
             << " matches finished, " << sum.crashes << " crashes, " << sum.store_failures
             << " store failures, " << sum.disconnects << " disconnects, " << sum.outcomes_repeated
             << " outcomes repeated, " << sum.repeats_answered << " repeats answered, "
-            << sum.fetched << " fetched, " << sum.refused << " refused\n";
+            << sum.wishes_repeated << " wishes repeated, " << sum.fetched << " fetched, "
+            << sum.refused << " refused\n";
   EXPECT_GT(sum.entries, 300u);
   EXPECT_GT(sum.entries_told, 300u);
   EXPECT_GT(sum.finished, 10u);
@@ -61,6 +63,7 @@ TEST_P(AnyWorld, KeepsEveryPromiseWhateverFails) {
   EXPECT_GT(sum.disconnects, 50u);
   EXPECT_GT(sum.outcomes_repeated, 2u);
   EXPECT_GT(sum.repeats_answered, 5u);
+  EXPECT_GT(sum.wishes_repeated, 2u);
   EXPECT_GT(sum.fetched, 10u);
 }
 

@@ -60,6 +60,8 @@ std::vector<WrongRequest> wrong_requests() {
        [](auto& m) { m.mutable_create()->set_game(static_cast<v1::GameKind>(-1)); }},
       {1, "create.seats", [](auto& m) { m.mutable_create()->set_seats(0); }},
       {1, "create.seats", [](auto& m) { m.mutable_create()->set_seats(258); }},
+      {1, "create.key", [](auto& m) { m.mutable_create()->set_key(std::string(15, 'x')); }},
+      {1, "create.key", [](auto& m) { m.mutable_create()->set_key(std::string(17, 'x')); }},
       {2, "join", [](auto& m) { m.mutable_join()->Clear(); }},
       {2, "join.code", [](auto& m) { m.mutable_join()->set_code("U123456789"); }},
       {3, "watch", [](auto& m) { m.mutable_watch()->Clear(); }},

@@ -24,6 +24,12 @@ std::string random_code(Chance& chance) {
   return code;
 }
 
+lobby::CreationKey random_key(Chance& chance) {
+  lobby::CreationKey key{};
+  for (std::uint8_t& byte : key) byte = static_cast<std::uint8_t>(chance.bits());
+  return key;
+}
+
 lobby::MatchInfo random_info(Chance& chance) {
   lobby::MatchInfo info;
   info.id = random_match_id(chance);
@@ -62,9 +68,12 @@ lobby::Request random_request(Chance& chance, std::size_t index) {
       return lobby::Hello{chance.u32(), random_name(chance),
                           chance.maybe([](Chance& c) { return c.bytes32(); })};
     case 1:
-      return lobby::Create{
-          std::string(physics::presets().front().name), chance.one_of<match::GameKind>(2),
-          static_cast<std::uint8_t>(1 + chance.below(8)), chance.u32(), chance.coin()};
+      return lobby::Create{std::string(physics::presets().front().name),
+                           chance.one_of<match::GameKind>(2),
+                           static_cast<std::uint8_t>(1 + chance.below(8)),
+                           chance.u32(),
+                           chance.coin(),
+                           chance.maybe(random_key)};
     case 2:
       return random_target<lobby::Join>(chance);
     case 3:
