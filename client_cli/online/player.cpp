@@ -1,5 +1,6 @@
 #include "client_cli/online/player.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -13,6 +14,13 @@ match::CommandId fresh_command_id() {
   std::uint64_t id = 0;
   std::memcpy(&id, bytes.data(), sizeof id);
   return match::CommandId{id == 0 ? 1 : id};
+}
+
+lobby::CreationKey fresh_key() {
+  const auto bytes = entropy();
+  lobby::CreationKey key{};
+  std::copy_n(bytes.begin(), key.size(), key.begin());
+  return key;
 }
 
 /// The matches of one filter, the newest first; one page is plenty to choose from.
@@ -36,7 +44,9 @@ MatchView seated(const lobby::Answer& answer) {
   return view_of(*news);
 }
 
-MatchView sit_down_at(Connection& connection, const lobby::Create& create) {
+MatchView sit_down_at(Connection& connection, lobby::Create create) {
+  // The request may be asked again without our seeing it: the key makes that the same match.
+  create.key = fresh_key();
   return seated(connection.ask(create));
 }
 

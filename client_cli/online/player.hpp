@@ -20,7 +20,8 @@ struct AnyMatch {
 /// How a player comes to a match.
 using Opening = std::variant<lobby::Create, MatchName, AnyMatch>;
 
-/// Sits down. CommandError where the server does not let the guest.
+/// Sits down; a new match gets a key of its own. CommandError where the server does not let the
+/// guest.
 MatchView sit_down(Connection& connection, const Opening& opening);
 
 class Player {
