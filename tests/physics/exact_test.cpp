@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "common/physics/exact.hpp"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 

@@ -1,6 +1,8 @@
 // Scenario files: every fault is named with the path of its field.
 #include "common/wire/scenario.hpp"
 
+#include <gtest/gtest.h>
+
 #include <string>
 
 #include "tests/support/replace.hpp"
