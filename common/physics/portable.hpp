@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -138,8 +139,8 @@ template <class Real>
 Real portable_exp(Real x) {
   using Numbers = std::numeric_limits<Real>;
   const portable::Period<Real>& ln_two = portable::ln_two<Real>();
-  const bool is_number = x < 0 || x >= 0;
-  if (!is_number) return x;
+  using std::isnan;
+  if (isnan(x)) return x;
   if (x > ln_two.high * (Numbers::max_exponent + 1)) return Numbers::infinity();
   if (x < ln_two.high * (Numbers::min_exponent - Numbers::digits - 2)) return Real(0);
   const int n = portable::nearest<Real>(x * ln_two.inverse);

@@ -22,10 +22,10 @@ std::size_t weight_of(const record::Entry& entry) {
          event_bytes * entry.outcome.shot->events.size();
 }
 
-ReaderId add_reader(Moment& moment, Connection& connection, Reader reader) {
+ReaderId add_reader(Moment& moment, Connection& connection, const Reader& reader) {
   const ReaderId id{++moment.state.last_reader};
   if (!reader.live) connection.behind.push_back(id);
-  moment.state.readers.emplace(id, std::move(reader));
+  moment.state.readers.emplace(id, reader);
   return id;
 }
 
@@ -104,7 +104,7 @@ void follow(Moment& moment, ConnectionId id, LiveMatch& match, match::Seq from) 
   reader.match = match.row.id;
   reader.next = from;
   reader.live = from == match.row.progress.next;
-  const ReaderId reader_id = add_reader(moment, *connection, std::move(reader));
+  const ReaderId reader_id = add_reader(moment, *connection, reader);
   connection->follows[match.row.id] = reader_id;
   match.followers[id] = reader_id;
   update_standing(moment, id);
@@ -120,7 +120,7 @@ void follow_stored(Moment& moment, ConnectionId id, const ledger::MatchRow& row,
   reader.match = row.id;
   reader.next = from;
   reader.end = row.progress.next;
-  connection->follows[row.id] = add_reader(moment, *connection, std::move(reader));
+  connection->follows[row.id] = add_reader(moment, *connection, reader);
 }
 
 void read_out(Moment& moment, const Asker& asker, match::MatchId match, match::Seq from,
@@ -133,7 +133,7 @@ void read_out(Moment& moment, const Asker& asker, match::MatchId match, match::S
   reader.next = from;
   reader.end = end;
   reader.fetch = asker;
-  connection->fetches.insert(add_reader(moment, *connection, std::move(reader)));
+  connection->fetches.insert(add_reader(moment, *connection, reader));
 }
 
 void unfollow(Moment& moment, ConnectionId id, match::MatchId match) {

@@ -75,8 +75,8 @@ void answer_with(Moment& moment, const Asker& asker, match::Seat seat, const lob
 
 std::vector<match::Seat> seats_in(const LiveMatch& match) {
   std::vector<match::Seat> seats;
-  for (std::uint8_t seat = 0; seat < match.row.seats.size(); ++seat) {
-    seats.push_back(match::Seat{seat});
+  for (std::size_t seat = 0; seat < match.row.seats.size(); ++seat) {
+    seats.push_back(match::Seat{static_cast<std::uint8_t>(seat)});
   }
   return seats;
 }

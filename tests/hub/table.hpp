@@ -110,8 +110,8 @@ inline match::Command a_place(std::uint32_t number) {
 }
 
 inline lobby::Act act(match::MatchId match, std::uint32_t expected, std::uint64_t id,
-                      match::Command command) {
-  return {match, match::Seq{expected}, match::CommandId{id}, std::move(command)};
+                      const match::Command& command) {
+  return {match, match::Seq{expected}, match::CommandId{id}, command};
 }
 
 inline lobby::Refused refused(HubRig& rig, const Player& player, lobby::Request request) {

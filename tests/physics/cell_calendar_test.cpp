@@ -129,9 +129,9 @@ TEST(CellCalendar, GivesTheTablesShotOfBlocksThatMoveInStep) {
     Gas gas = gas_in_a_box(144, 0.2, 0);
     const double square = *gas.scene.bed.length_m / 12;
     for (std::size_t k = 0; k < gas.state.balls.size(); ++k) {
-      const auto column = static_cast<double>(k % 12);
-      const auto row = static_cast<double>(k / 12);
-      gas.state.balls[k].position = {(column - 5.5) * square, (row - 5.5) * square};
+      const std::size_t row = k / 12;
+      gas.state.balls[k].position = {(static_cast<double>(k % 12) - 5.5) * square,
+                                     (static_cast<double>(row) - 5.5) * square};
       gas.state.balls[k].velocity = {k % 2 == 0 ? speed : -speed, 0};
     }
     EXPECT_GT(events_of_both(gas.scene, gas.state, std::nullopt, {}, until(5)), 1'000u);

@@ -54,7 +54,7 @@ TEST(Opening, AFileOfSomethingElseIsRefusedAndLeftAsItIs) {
 TEST(Opening, ADatabaseOfAnotherProgramIsRefused) {
   const support::Scratch scratch;
   const auto file = scratch.path() / "other.db";
-  std::ofstream{file};
+  std::ofstream(file).close();
   Database(file, Database::Access::read_write).run("CREATE TABLE song (title TEXT)");
   EXPECT_TRUE(says(refusal_of(file), "another program"));
 }

@@ -56,8 +56,9 @@ TEST(Scalars, ErrByTheirDigitsAndAgreeOnTheFirstContacts) {
 TEST(Scalars, RunEveryModelAndManyBalls) {
   support::Setting gas{support::gas(), {}, {}, {}, support::until(1)};
   for (std::uint32_t k = 0; k < physics::most_balls_at_a_table + 8; ++k) {
+    const std::uint32_t row = k / 6;
     gas.state.balls.push_back(
-        support::ball(k, {0.1 * (k % 6), 0.1 * (k / 6)}, {k % 2 ? 0.3 : -0.3, k % 3 ? 0.2 : -0.1}));
+        support::ball(k, {0.1 * (k % 6), 0.1 * row}, {k % 2 ? 0.3 : -0.3, k % 3 ? 0.2 : -0.1}));
   }
   for (const Scalar scalar : {Scalar::single_precision, Scalar::double_precision,
                               Scalar::long_double, Scalar::reference}) {

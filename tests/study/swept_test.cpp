@@ -7,7 +7,6 @@ namespace {
 using support::all_of;
 using support::ball;
 using support::balls;
-using support::head_on;
 using support::mean_error_s;
 using support::shot_by;
 

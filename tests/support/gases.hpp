@@ -30,9 +30,10 @@ inline Gas gas_in_a_box(std::size_t count, double cover, std::uint64_t seed) {
   gas.scene.ball_ball = physics::Elastic{};
   const double play = 0.999 * (square / 2 - radius);
   for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t row = k / columns;
     const physics::Vec2 middle{
         (static_cast<double>(k % columns) + 0.5) * square - *gas.scene.bed.length_m / 2,
-        (static_cast<double>(k / columns) + 0.5) * square - *gas.scene.bed.width_m / 2};
+        (static_cast<double>(row) + 0.5) * square - *gas.scene.bed.width_m / 2};
     physics::Ball ball;
     ball.id = physics::BallId{static_cast<std::uint32_t>(k)};
     ball.position =
