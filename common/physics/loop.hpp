@@ -46,7 +46,7 @@ class Loop {
         finish(horizon);
       } else if (next > time_s) {
         return progress_;
-      } else if (shot_.events.size() >= limits_.max_events) {
+      } else if (forgotten_events_ + shot_.events.size() >= limits_.max_events) {
         stall(StallCause::events);
       } else {
         process(next);
@@ -60,10 +60,17 @@ class Loop {
 
   const BasicShot<Real>& shot() const { return shot_; }
 
+  void forget() {
+    forgotten_events_ += shot_.events.size();
+    shot_.events.clear();
+    shot_.segments.clear();
+  }
+
   std::variant<BasicShot<Real>, BasicStalled<Real>> take() && {
     if (progress_ != Progress::stalled) return std::move(shot_);
-    std::sort(stalled_.begin(), stalled_.end());
-    return BasicStalled<Real>{cause_, std::move(stalled_), std::move(shot_)};
+    std::vector<BallId> last;
+    for (const std::uint32_t ball : touched_) last.push_back(bodies_[ball].id);
+    return BasicStalled<Real>{cause_, std::move(last), std::move(shot_)};
   }
 
  private:
@@ -139,7 +146,6 @@ class Loop {
     progress_ = Progress::stalled;
     cause_ = cause;
     shot_.end_s = now_s_;
-    if (cause == StallCause::events) stalled_ = last_balls_;
   }
 
   /// Everything that happens at one instant: phases that end, then contacts as a set, then pockets.
@@ -152,11 +158,8 @@ class Loop {
                                         [this](std::uint32_t ball) { add_touching(ball); });
     for (const std::uint32_t ball : contacts_.balls()) touch(ball);
     drop_balls();
-    last_balls_.clear();
-    for (const std::uint32_t ball : touched_) last_balls_.push_back(bodies_[ball].id);
     end_instant();
     if (!peace || sets_here_ >= max_sets_at_an_instant) {
-      stalled_ = last_balls_;
       stall(peace ? StallCause::instant : StallCause::passes);
     }
   }
@@ -332,6 +335,7 @@ class Loop {
   ContactSet<Real> contacts_;
   std::vector<Body<Real>> bodies_;
   BasicShot<Real> shot_;
+  std::size_t forgotten_events_ = 0;
   Progress progress_ = Progress::paused;
   Real now_s_{};
   std::uint64_t instant_ = 0;  ///< counts the sets
@@ -342,9 +346,7 @@ class Loop {
   std::vector<std::uint32_t> touched_;
   std::vector<std::pair<std::uint32_t, Path<Real>>> ended_;
   std::vector<AtPocket> at_pockets_;
-  std::vector<BallId> last_balls_;
   StallCause cause_ = StallCause::events;
-  std::vector<BallId> stalled_;
 };
 
 }  // namespace breakshot::physics

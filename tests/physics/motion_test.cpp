@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "common/physics/simulation.hpp"
+#include "tests/support/gases.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace breakshot::physics {
@@ -121,6 +122,57 @@ TEST(Slices, ChangeNoBitOfAThousandRandomShots) {
     sliced.advance_to(never<double>);
     ASSERT_EQ(sliced.shot(), whole) << "seed " << seed;
   }
+}
+
+/// Advances in slices and forgets after each; what was forgotten makes up a whole shot.
+Shot pieced_together(Simulation& simulation, double slice_s, double end_s) {
+  Shot pieces;
+  for (double time_s = 0; time_s < end_s; time_s += slice_s) {
+    simulation.advance_to(time_s);
+    const Shot& shot = simulation.shot();
+    pieces.events.insert(pieces.events.end(), shot.events.begin(), shot.events.end());
+    pieces.segments.insert(pieces.segments.end(), shot.segments.begin(), shot.segments.end());
+    pieces.stop = shot.stop;
+    pieces.end_s = shot.end_s;
+    simulation.forget();
+  }
+  return pieces;
+}
+
+TEST(Slices, ForgottenAsTheyComeMakeUpTheWholeShot) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Chance chance(seed);
+    const RandomShot random = random_shot(chance);
+    const ShotSeed shot_seed = seed_of(static_cast<std::uint32_t>(seed));
+    const Shot whole = shot_of(random.scene, random.state, random.strike, shot_seed);
+    Simulation sliced(random.scene, random.state, random.strike, shot_seed, {});
+    ASSERT_EQ(pieced_together(sliced, chance.between(0.001, 0.5), whole.end_s + 1), whole)
+        << "seed " << seed;
+  }
+  for (const std::size_t discs : {std::size_t{9}, most_balls_at_a_table + 1}) {
+    const Gas gas = gas_in_a_box(discs, 0.2, 1);
+    const Shot whole = shot_of(gas.scene, gas.state, std::nullopt, {}, until(3));
+    Simulation sliced(gas.scene, gas.state, std::nullopt, {}, until(3));
+    ASSERT_EQ(pieced_together(sliced, 0.01, 3.1), whole) << discs << " discs";
+  }
+}
+
+TEST(Slices, CountForgottenEventsTowardsTheLimit) {
+  const Gas gas = gas_in_a_box(9, 0.2, 1);
+  Limits limits = until(1e9);
+  limits.max_events = 1'000;
+  Simulation sliced(gas.scene, gas.state, std::nullopt, {}, limits);
+  std::size_t events = 0;
+  Progress progress = Progress::paused;
+  for (double time_s = 0; progress == Progress::paused; time_s += 0.05) {
+    progress = sliced.advance_to(time_s);
+    events += sliced.shot().events.size();
+    sliced.forget();
+  }
+  EXPECT_EQ(progress, Progress::stalled);
+  // It is looked at between instants.
+  EXPECT_GE(events, 1'000u);
+  EXPECT_LT(events, 1'010u);
 }
 
 TEST(Slices, EndWithExactlyTheEventsUpToTheirTime) {
