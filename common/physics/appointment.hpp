@@ -38,7 +38,7 @@ class OwnEvents {
   Appointment<Real> next(const Path<Real>& path, Real until_s = never<Real>) const {
     Appointment<Real> first{until_s, Due::nothing, 0};
     if (path.end_s < until_s) first = {path.end_s, Due::phase_end, 0};
-    if (is_still(path.segment.phase)) return first;
+    if (is_still(path.segment.phase) || stays_inside(path, first.time_s)) return first;
     if (main_noses_ > 0 && laws_.is_inside(path.segment.position)) {
       Real leaves = first.time_s;
       for (const Nose<Real>& wall : laws_.walls) {
@@ -53,6 +53,17 @@ class OwnEvents {
 
  private:
   static constexpr std::size_t main_noses = 6;
+
+  /// Whether the ball of a path that only slows down certainly comes to no rail by `until_s`.
+  bool stays_inside(const Path<Real>& path, Real until_s) const {
+    if (path.curved || !laws_.inside) return false;
+    const BasicSegment<Real>& s = path.segment;
+    // A thousandth is for rounding, and what touches by rounding is not inside.
+    const Real reach = Real(1.001) * path.speed * (until_s - s.start_s);
+    const Real coordinate = larger(laws_.diameter, larger(laws_.inside->x, laws_.inside->y));
+    return laws_.is_inside(s.position,
+                           reach + touch_gap_bound(2 * coordinate, 2 * path.speed, s.start_s));
+  }
 
   Appointment<Real> first_nose(const Path<Real>& path, std::size_t count,
                                Appointment<Real> first) const {

@@ -40,7 +40,7 @@ enum class Phase : std::uint8_t { rest, slide, roll, spin, pocketed };
 
 /// Whether the ball stays where it is, whatever time passes.
 constexpr bool is_still(Phase phase) {
-  return phase == Phase::rest || phase == Phase::spin || phase == Phase::pocketed;
+  return phase != Phase::slide && phase != Phase::roll;
 }
 
 /// A ball before a shot: where its centre is, and how it moves (usually not at all).

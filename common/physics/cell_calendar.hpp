@@ -158,6 +158,8 @@ class CellCalendar {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   /// With so many crossings for every change of a path and every ball, the cells are too small.
   static constexpr std::size_t crossings_a_change = 16;
+  /// What is kept of fewer balls stays in a processor's own caches.
+  static constexpr std::size_t most_balls_at_hand = 4096;
 
   /// What is looked at of a ball whenever a neighbour asks: one cache line.
   struct alignas(std::bit_ceil(8 * sizeof(Real))) Motion {
@@ -225,7 +227,40 @@ class CellCalendar {
   }
 
   void schedule(std::uint32_t ball) {
-    heap_.set(ball, smaller(motions_[ball].until_s, entries_[ball].crossing_s));
+    heap_.set(ball, smaller(motions_[ball].until_s, entries_[ball].crossing_s),
+              [this](std::size_t others, std::uint32_t next) { fetch(others, next); });
+  }
+
+  /// Has memory fetched that the next turn of `ball` asks for, step by step as it comes nearer:
+  /// `others` are about to have theirs before it. First what is the ball's own, then what that
+  /// names, then the neighbours. Of many balls most of an event is else waiting for memory.
+  void fetch(std::size_t others, std::uint32_t ball) {
+    if (!fetches_ || others > 512) return;
+    if (others > 64) {
+      fetch_own(ball);
+    } else if (others > 8) {
+      heap_.fetch(ball);
+      cells_.fetch_beside(ball);
+      if (crosses(ball)) return;
+      fetch_path(ball);
+      if (entries_[ball].due != Due::ball) return;
+      const std::uint32_t with = entries_[ball].with;
+      heap_.fetch(with);
+      fetch_own(with);
+      fetch_path(with);
+    } else if (others > 1) {
+      cells_.find_beside(ball, found_to_fetch_);
+      for (const std::uint32_t other : found_to_fetch_) __builtin_prefetch(&motions_[other]);
+    }
+  }
+  void fetch_own(std::uint32_t ball) const {
+    __builtin_prefetch(&entries_[ball]);
+    __builtin_prefetch(&motions_[ball]);
+    cells_.fetch_place(ball);
+  }
+  void fetch_path(std::uint32_t ball) const {
+    __builtin_prefetch(&paths_[ball]);
+    __builtin_prefetch(&paths_[ball].segment.spin);
   }
 
   void cross(std::uint32_t ball) {
@@ -255,6 +290,7 @@ class CellCalendar {
   /// Cells round the balls where they are now; appointments stay.
   void build(Real least_side) {
     built_ = true;
+    fetches_ = paths_.size() > most_balls_at_hand;
     crossings_ = changes_ = 0;
     const auto present = [this](std::uint32_t ball) {
       return paths_[ball].segment.phase != Phase::pocketed;
@@ -356,6 +392,7 @@ class CellCalendar {
   std::vector<Entry> entries_;
   Real now_s_{};
   bool built_ = false;
+  bool fetches_ = false;
   std::size_t moving_ = 0;     ///< balls that change their place
   std::size_t spinning_ = 0;   ///< balls that spin in place
   std::size_t crossings_ = 0;  ///< since the cells were built
@@ -365,6 +402,7 @@ class CellCalendar {
   // Kept for their memory alone.
   Gathered found_;
   Gathered likely_;
+  Gathered found_to_fetch_;
   std::vector<std::uint32_t> partners_;  ///< all that `ball` meets at one time
 };
 

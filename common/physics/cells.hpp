@@ -120,6 +120,17 @@ class Cells {
     if (side == Side::down) gather<3, 1>(column - 1, row - 1, found);
   }
 
+  /// Have memory fetched: that by which a ball is found, and, once that is there, what
+  /// find_beside() reads of it.
+  void fetch_place(std::uint32_t ball) const { __builtin_prefetch(&at_[ball]); }
+  void fetch_beside(std::uint32_t ball) const {
+    const Place& at = at_[ball];
+    for (std::int64_t row = at.row - 1; row <= at.row + 1; ++row) {
+      __builtin_prefetch(&cells_[slot_of(at.column - 1, row)]);
+      __builtin_prefetch(&cells_[slot_of(at.column + 1, row)]);
+    }
+  }
+
   /// Moves a ball to the next cell.
   void cross(std::uint32_t ball, Side side) {
     remove(ball);

@@ -74,6 +74,12 @@ class Field {
   void move_to(Real time_s) {
     now_s_ = time_s;
     const Many now(time_s);
+    if (straight_) {
+      for (Group& group : groups_) {
+        group.position = group.start_position + group.velocity * (now - group.start);
+      }
+      return;
+    }
     const Many half(Real(1) / 2);
     for (Group& group : groups_) {
       const Many dt = now - group.start;

@@ -7,6 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace breakshot::physics {
 
@@ -14,23 +17,27 @@ namespace breakshot::physics {
 template <class Real>
 struct NativePack {
   using Type = Real;
+  static constexpr std::size_t size = 1;
 };
 template <>
 struct NativePack<double> {
   using Type [[gnu::vector_size(16)]] = double;
+  static constexpr std::size_t size = 2;
 };
 template <>
 struct NativePack<float> {
   using Type [[gnu::vector_size(16)]] = float;
+  static constexpr std::size_t size = 4;
 };
 
 template <class Real>
 class Pack {
   using Native = typename NativePack<Real>::Type;
   using Integers [[gnu::vector_size(16)]] = std::uint64_t;
+  using Lanes [[gnu::vector_size(16)]] = std::int32_t;
 
  public:
-  static constexpr std::size_t size = sizeof(Native) / sizeof(Real);
+  static constexpr std::size_t size = NativePack<Real>::size;
 
   Pack() = default;
   /// All numbers the same.
@@ -47,6 +54,17 @@ class Pack {
       numbers_ = number;
     else
       numbers_[i] = number;
+  }
+  /// The same by one write of the whole, which can be read again at once: a processor waits before
+  /// it reads together what was written in parts.
+  void replace(std::size_t i, Real number) {
+    if constexpr (size == 1) {
+      numbers_ = number;
+    } else {
+      const auto place = std::bit_cast<Integers>(lanes == static_cast<std::int32_t>(i));
+      numbers_ = std::bit_cast<Native>((std::bit_cast<Integers>(Pack(number).numbers_) & place) |
+                                       (std::bit_cast<Integers>(numbers_) & ~place));
+    }
   }
 
   friend Pack operator+(Pack a, Pack b) { return of(a.numbers_ + b.numbers_); }
@@ -76,7 +94,7 @@ class Pack {
       return !(a.numbers_ > b.numbers_);
 #ifdef __SSE2__
     } else if constexpr (std::is_same_v<Real, double>) {
-      return 3u & ~__builtin_ia32_movmskpd(std::bit_cast<Native>(a.numbers_ > b.numbers_));
+      return static_cast<std::uint64_t>(_mm_movemask_pd(_mm_cmpngt_pd(a.numbers_, b.numbers_)));
 #endif
     } else {
       std::uint64_t bits = 0;
@@ -86,6 +104,9 @@ class Pack {
   }
 
  private:
+  /// The number that each quarter of a pack belongs to.
+  static constexpr Lanes lanes = {0, size / 4, size / 2, size / 2 + size / 4};
+
   static Pack of(Native numbers) {
     Pack pack;
     pack.numbers_ = numbers;

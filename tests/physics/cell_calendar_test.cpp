@@ -311,7 +311,11 @@ TEST(EventHeap, KnowsTheEarliestOfAll) {
       const double time =
           chance.below(5) == 0 ? never<double> : static_cast<double>(chance.below(20));
       times[ball] = time;
-      heap.set(ball, time);
+      std::uint32_t risen = heap.first();
+      heap.set(ball, time, [&risen](std::size_t others, std::uint32_t next) {
+        if (others == 1) risen = next;
+      });
+      ASSERT_EQ(heap.first(), risen);
       ASSERT_EQ(heap.time_of(ball), time);
       const double earliest = *std::min_element(times.begin(), times.end());
       ASSERT_EQ(heap.earliest(), earliest);
