@@ -7,9 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
 namespace breakshot::physics {
 
@@ -94,7 +91,8 @@ class Pack {
       return !(a.numbers_ > b.numbers_);
 #ifdef __SSE2__
     } else if constexpr (std::is_same_v<Real, double>) {
-      return static_cast<std::uint64_t>(_mm_movemask_pd(_mm_cmpngt_pd(a.numbers_, b.numbers_)));
+      const Native places = __builtin_ia32_cmpnltpd(b.numbers_, a.numbers_);
+      return static_cast<std::uint64_t>(__builtin_ia32_movmskpd(places));
 #endif
     } else {
       std::uint64_t bits = 0;
