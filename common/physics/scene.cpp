@@ -19,7 +19,10 @@ constexpr double max_bed_m = 1e4;
 constexpr double max_nose_height = 1.99;
 
 void check_friction(Faults& faults, const std::string& field, double value) {
-  if (value != 0) faults.range(field, value, min_friction, max_friction);
+  // Not a number is in no range.
+  if (value == 0 || (value >= min_friction && value <= max_friction)) return;
+  faults.add(field, "is " + shown(value) + "; it must be 0 or from " + shown(min_friction) +
+                        " to " + shown(max_friction));
 }
 
 void check(Faults& faults, const std::string& path, const Straight& straight) {

@@ -108,6 +108,12 @@ TEST(SceneFaults, RefuseACushionWithoutLength) {
   EXPECT_EQ(faults_of(scene).at(0).field, "scene.cushions.segments[1].to");
 }
 
+TEST(StateFaults, NameTooManyBallsAsOneFault) {
+  const auto faults = faults_of(good(), State{std::vector<Ball>(max_balls + 1)});
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults.front().field, "balls");
+}
+
 TEST(StateFaults, NameTheBallAndTheField) {
   const Scene scene = good();
   const auto fault = [&](std::initializer_list<Ball> list) {
