@@ -6,13 +6,14 @@
 #include <cstddef>
 
 #include "common/wire/frame.hpp"
+#include "server/hub/limits.hpp"
 
 namespace breakshot::net {
 
 struct Limits {
   // ---- Connections
   /// At once; one more is told Goodbye.
-  std::size_t connections = 2048;
+  std::size_t connections = hub::Limits{}.connections;
   /// At once from one address (an IPv4 address, or a /64 of IPv6).
   std::size_t connections_per_address = 64;
   /// Of those that were turned away, how many may be seen off at once; others are just closed.

@@ -78,9 +78,8 @@ void flood(Exchange& exchange, LineClient& reader, const std::vector<hub::Connec
   }
 }
 
-TEST(Queue, OfASlowReaderEndsInGoodbyeAndOthersGoOn) {
-  Limits limits = patient_limits();
-  limits.guest_queue = 1024 * 1024;
+/// Of two at the same match, with that standing, one does not read.
+void overflow(const Limits& limits, hub::Standing standing) {
   Exchange exchange(limits);
   LineClient slow({"127.0.0.1", 4096});
   slow.connect(exchange.port());
@@ -88,8 +87,8 @@ TEST(Queue, OfASlowReaderEndsInGoodbyeAndOthersGoOn) {
   LineClient reader(exchange.port());
   const hub::ConnectionId reader_id = exchange.opened();
   exchange.order([&](Switchboard& board) {
-    board.treat(slow_id, hub::Standing::guest);
-    board.treat(reader_id, hub::Standing::guest);
+    board.treat(slow_id, standing);
+    board.treat(reader_id, standing);
   });
   flood(exchange, reader, {slow_id, reader_id}, 120);
 
@@ -108,6 +107,18 @@ TEST(Queue, OfASlowReaderEndsInGoodbyeAndOthersGoOn) {
   EXPECT_FALSE(slow.hear());
   slow.close();
   EXPECT_EQ(exchange.hear<hub::Closed>().connection, slow_id);
+}
+
+TEST(Queue, OfASlowReaderEndsInGoodbyeAndOthersGoOn) {
+  Limits limits = patient_limits();
+  limits.guest_queue = 1024 * 1024;
+  overflow(limits, hub::Standing::guest);
+}
+
+TEST(Queue, OfAPlayerHasItsEndToo) {
+  Limits limits = patient_limits();
+  limits.player_queue = 1024 * 1024;
+  overflow(limits, hub::Standing::player);
 }
 
 TEST(Queue, OfAPlayerIsLonger) {
