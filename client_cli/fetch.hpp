@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "client_cli/online/connection.hpp"
 #include "client_cli/server_address.hpp"
 #include "common/record/record.hpp"
 
@@ -14,8 +15,9 @@ struct Failure {
   std::string what;
 };
 
-/// Fetches the record of a match by its id (16 hexadecimal digits) or its invite code.
-std::variant<record::Record, Failure> fetch_record(const ServerAddress& server,
+/// Fetches the record of a match by its id (16 hexadecimal digits) or its invite code, as a guest:
+/// one who sits at a private match needs no code.
+std::variant<record::Record, Failure> fetch_record(const ServerAddress& server, const Guest& guest,
                                                    const std::string& id_or_code);
 
 }  // namespace breakshot::client

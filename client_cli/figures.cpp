@@ -41,26 +41,36 @@ Picture of_rack(const physics::Scene& scene, const physics::State& rack) {
   return picture;
 }
 
-Picture of_break(const physics::Scene& scene, const physics::State& rack, double time_s) {
+Picture of_break(const physics::Scene& scene, const physics::State& rack, double time_s,
+                 bool paths) {
   Picture picture;
   picture.table = table_of(scene);
   const physics::Timeline timeline(default_break(scene, rack));
   picture.balls = balls_at(picture.table, timeline, time_s);
+  if (paths) picture.paths = paths_until(timeline, time_s);
   return picture;
+}
+
+/// How the cue ball is struck from the head spot.
+CueVector cue_vector(const Table& table, double angle_rad) {
+  return {table.head_spot.value(), physics::direction_of(angle_rad), break_speed_m_s};
 }
 
 }  // namespace
 
-Picture figure(int number, const physics::Scene& scene, std::optional<double> time_s) {
+Picture figure(int number, const physics::Scene& scene, std::optional<double> time_s,
+               const Besides& besides) {
   const physics::State rack = rules::rack_eight_ball(scene, figure_seed, 0);
+  // Nothing moves in the first two.
   if (number == 2) return of_rack(scene, rack);
   if (number == 1) {
     Picture picture = of_layout(scene, rack);
-    picture.cue = CueVector{picture.table.head_spot.value(), {1, 0}, break_speed_m_s};
+    picture.cue = cue_vector(picture.table, 0);
     return picture;
   }
-  Picture picture = of_break(scene, rack, time_s.value_or(figure_break_s));
-  picture.velocities = number == 4;
+  Picture picture = of_break(scene, rack, time_s.value_or(figure_break_s), besides.paths);
+  picture.velocities = number == 4 || besides.velocities;
+  if (besides.cue) picture.cue = cue_vector(picture.table, break_angle_rad);
   return picture;
 }
 

@@ -9,8 +9,8 @@
 
 namespace breakshot::client {
 
-inline constexpr double min_speed = 0.25;
-inline constexpr double max_speed = 16;
+inline constexpr double min_speed = 0.01;
+inline constexpr double max_speed = 1000;
 /// How far the arrow keys go, s of the shot.
 inline constexpr double seek_step_s = 0.5;
 

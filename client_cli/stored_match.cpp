@@ -1,33 +1,18 @@
 #include "client_cli/stored_match.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 
 #include "client_cli/fetch.hpp"
 #include "client_cli/online/match_name.hpp"
+#include "client_cli/read_input.hpp"
 
 namespace breakshot::client {
 namespace {
 
-record::ByteVector bytes_of(std::istream& stream) {
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-record::ByteVector bytes_of_file(const std::string& name) {
-  if (name == "-") return bytes_of(std::cin);
-  errno = 0;
-  std::ifstream file(name, std::ios::binary);
-  record::ByteVector bytes;
-  // A folder opens, and fails only when it is read.
-  if (file && !std::filesystem::is_directory(name)) bytes = bytes_of(file);
-  if (file && !std::filesystem::is_directory(name)) return bytes;
-  const int cause = std::filesystem::is_directory(name) ? EISDIR : errno;
-  throw CommandError(name + ": cannot be read: " + std::strerror(cause), exit_usage);
+record::ByteVector bytes_of(const std::string& name) {
+  const std::string bytes = read_input(name);
+  return {bytes.begin(), bytes.end()};
 }
 
 StoredMatch match_in(const std::string& name, const record::ByteVector& bytes) {
@@ -37,8 +22,9 @@ StoredMatch match_in(const std::string& name, const record::ByteVector& bytes) {
   throw CommandError(name + ": is not a match record: " + what, exit_usage);
 }
 
-StoredMatch match_on_server(const std::string& name, const Globals& globals) {
-  auto fetched = fetch_record(server_of(globals), name);
+StoredMatch match_on_server(const std::string& name, const Globals& globals,
+                            const std::string& guest) {
+  auto fetched = fetch_record(server_of(globals), guest_or_stranger(guest), name);
   if (const auto* failure = std::get_if<Failure>(&fetched)) {
     throw CommandError(name + ": " + failure->what);
   }
@@ -56,11 +42,11 @@ bool lies_on(const physics::State& table, physics::BallId id) {
 
 }  // namespace
 
-StoredMatch open_match(const std::string& name, const Globals& globals) {
+StoredMatch open_match(const std::string& name, const Globals& globals, const std::string& guest) {
   std::error_code ignored;
   const bool is_file = name == "-" || std::filesystem::exists(name, ignored);
-  if (is_file || !match_name_of(name)) return match_in(name, bytes_of_file(name));
-  return match_on_server(name, globals);
+  if (is_file || !match_name_of(name)) return match_in(name, bytes_of(name));
+  return match_on_server(name, globals, guest);
 }
 
 std::string damage_text(const StoredMatch& match) {

@@ -19,8 +19,10 @@ struct StoredMatch {
 
 /// Opens what a user named: "-" is standard input, a name that exists as a file is one, and
 /// otherwise 16 hexadecimal digits or an invite code name a match on the server. Throws
-/// CommandError where there is no record, which names the source and what is wrong.
-StoredMatch open_match(const std::string& name, const Globals& globals);
+/// CommandError where there is no record, which names the source and what is wrong. The server is
+/// asked as `guest`, whose token is kept here, or as nobody in particular.
+StoredMatch open_match(const std::string& name, const Globals& globals,
+                       const std::string& guest = {});
 
 /// How damage is reported: "damaged at byte 17: ...; the 3 entries before it are whole".
 std::string damage_text(const StoredMatch& match);

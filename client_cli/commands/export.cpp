@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -28,23 +29,31 @@ struct Options {
 
 record::Record fetched(const Options& options, const Globals& globals) {
   const MatchName which = options.match.required_name();
-  const Guest guest = options.name.empty() ? stranger() : guest_of(options.name);
-  Connection connection(server_of(globals), guest, notice_on_standard_error());
+  Connection connection(server_of(globals), guest_or_stranger(options.name),
+                        notice_on_standard_error());
   auto answer = connection.fetch({which.id, which.code, {}});
   if (const auto* refused = std::get_if<lobby::Refused>(&answer)) refuse(*refused);
   return std::get<record::Record>(std::move(answer));
 }
 
-/// Beside the file first, so that a file is whole or not there.
+/// Where to write so that a file is whole or not there: beside it first. What is no plain file, a
+/// pipe or a device, is written to as it is.
+std::string first_name_of(const std::string& name) {
+  std::error_code none;
+  const bool plain = !std::filesystem::exists(name, none) ||
+                     std::filesystem::is_regular_file(std::filesystem::symlink_status(name, none));
+  return plain ? name + ".part" : name;
+}
+
 void write_file(const std::string& name, const record::ByteVector& bytes) {
-  const std::string fresh = name + ".part";
+  const std::string fresh = first_name_of(name);
   std::ofstream out(fresh, std::ios::binary | std::ios::trunc);
   out.write(reinterpret_cast<const char*>(bytes.data()),
             static_cast<std::streamsize>(bytes.size()));
   out.close();
-  if (!out || std::rename(fresh.c_str(), name.c_str()) != 0) {
+  if (!out || (fresh != name && std::rename(fresh.c_str(), name.c_str()) != 0)) {
     const std::string cause = std::strerror(errno);
-    std::remove(fresh.c_str());
+    if (fresh != name) std::remove(fresh.c_str());
     throw CommandError(name + ": cannot be written: " + cause);
   }
 }
@@ -93,8 +102,7 @@ Command add_export(CLI::App& program, const Globals& globals) {
       ->add_option("-o,--output", options->file,
                    "The file, - for standard output (default: the match's id with .breakshot)")
       ->type_name("FILE");
-  parser->add_option("--name", options->name, "Ask as this guest, who sits at a private match")
-      ->type_name("NAME");
+  add_guest_name(*parser, options->name);
   return {parser, [options, &globals] { return export_match(*options, globals); }};
 }
 

@@ -55,7 +55,7 @@ Command add_play(CLI::App& program, const Globals& globals) {
       ->capture_default_str();
   parser
       ->add_option("--speed", options->speed,
-                   "How fast shots are shown: 0.25 to 16, 1 is real time")
+                   "How fast shots are shown: 0.01 to 1000, 1 is real time")
       ->check(CLI::Range(min_speed, max_speed).description(""))
       ->type_name("X")
       ->capture_default_str();

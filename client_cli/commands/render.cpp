@@ -5,6 +5,7 @@
 #include "client_cli/commands/commands.hpp"
 #include "client_cli/draw/image.hpp"
 #include "client_cli/figures.hpp"
+#include "client_cli/online/match_name.hpp"
 #include "client_cli/play_shot.hpp"
 #include "client_cli/stored_match.hpp"
 #include "client_cli/words.hpp"
@@ -15,15 +16,14 @@ namespace {
 
 struct Options {
   std::string match;
+  std::string name;
   std::uint32_t shot = 1;
   std::optional<double> time_s;
   std::string output;
   std::string size = std::to_string(default_width_px);
   std::optional<int> figure;
   std::string preset{physics::presets().front().name};
-  bool paths = false;
-  bool velocities = false;
-  bool cue = false;
+  Besides shown;
   bool caption = false;
 };
 
@@ -71,9 +71,9 @@ Picture picture_of(const StoredMatch& match, const Options& options) {
   Picture picture;
   picture.table = table_of(match.record.header.settings.scene);
   picture.balls = balls_at(picture.table, timeline, time_s);
-  if (options.paths) picture.paths = paths_until(timeline, time_s);
-  if (options.cue) picture.cue = cue_vector_of(*shot.entry);
-  picture.velocities = options.velocities;
+  if (options.shown.paths) picture.paths = paths_until(timeline, time_s);
+  if (options.shown.cue) picture.cue = cue_vector_of(*shot.entry);
+  picture.velocities = options.shown.velocities;
   if (!options.caption) return picture;
   const Names names = names_of(match.record.header);
   picture.caption = "Shot " + std::to_string(shot.number) + ": " +
@@ -90,7 +90,8 @@ int render(const Options& options, const Globals& globals) {
     if (!options.match.empty()) {
       throw CommandError("--figure: draws no match; leave " + options.match + " out", exit_usage);
     }
-    const Picture picture = figure(*options.figure, scene_of(options.preset), options.time_s);
+    const Picture picture =
+        figure(*options.figure, scene_of(options.preset), options.time_s, options.shown);
     write_picture(picture, size_of(options.size, picture), options.output);
     return exit_done;
   }
@@ -98,7 +99,7 @@ int render(const Options& options, const Globals& globals) {
     throw CommandError("render: needs a MATCH or --figure\nTry 'breakshot render --help'.",
                        exit_usage);
   }
-  const StoredMatch match = open_match(options.match, globals);
+  const StoredMatch match = open_match(options.match, globals, options.name);
   const Picture picture = picture_of(match, options);
   write_picture(picture, size_of(options.size, picture), options.output);
   if (match.damage) throw CommandError(options.match + ": " + damage_text(match));
@@ -116,25 +117,29 @@ Command add_render(CLI::App& program, const Globals& globals) {
   parser->add_option("-o,--output", options->output, "The picture to write")
       ->required()
       ->type_name("FILE.png|FILE.svg");
-  parser->add_option("--shot", options->shot, "Which shot, from 1")
-      ->type_name("N")
-      ->capture_default_str();
+  add_guest_name(*parser, options->name);
+  CLI::Option* const shot = parser->add_option("--shot", options->shot, "Which shot, from 1")
+                                ->type_name("N")
+                                ->capture_default_str();
   parser->add_option("--time", options->time_s, "Seconds since the start of the shot [0]")
       ->type_name("T");
   parser->add_option("--size", options->size, "Pixels; the height fits where it is left out")
       ->type_name("W[xH]")
       ->capture_default_str();
-  parser->add_flag("--paths", options->paths, "Draw the ways of the balls up to that moment");
-  parser->add_flag("--vectors", options->velocities, "Draw the balls' velocities in blue");
-  parser->add_flag("--cue", options->cue, "Draw the cue vector in red");
-  parser->add_flag("--caption", options->caption,
-                   "Say under the table what is shown, with the balls that are down");
+  parser->add_flag("--paths", options->shown.paths, "Draw the ways of the balls up to that moment");
+  parser->add_flag("--vectors", options->shown.velocities, "Draw the balls' velocities in blue");
+  parser->add_flag("--cue", options->shown.cue, "Draw the cue vector in red");
+  CLI::Option* const caption =
+      parser->add_flag("--caption", options->caption,
+                       "Say under the table what is shown, with the balls that are down");
   parser
       ->add_option("--figure", options->figure,
                    "Draw a figure of the paper: 1 default layout, 2 rack, 3 break, 4 velocity "
                    "vectors")
       ->type_name("1|2|3|4")
-      ->check(CLI::Range(1, figures));
+      ->check(CLI::Range(1, figures))
+      ->excludes(shot)
+      ->excludes(caption);
   parser->add_option("--preset", options->preset, "The table of the figure")
       ->type_name("NAME")
       ->capture_default_str();

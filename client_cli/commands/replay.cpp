@@ -4,6 +4,7 @@
 #include "client_cli/account.hpp"
 #include "client_cli/commands/commands.hpp"
 #include "client_cli/draw/terminal.hpp"
+#include "client_cli/online/match_name.hpp"
 #include "client_cli/play_shot.hpp"
 #include "client_cli/stored_match.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 struct Options {
   std::string match;
+  std::string name;
   std::optional<std::uint32_t> shot;
   double speed = 1;
   bool paused = false;
@@ -101,7 +103,7 @@ int play(const record::Record& record, const Options& options, const Abilities& 
 }
 
 int replay(const Options& options, const Globals& globals) {
-  const StoredMatch match = open_match(options.match, globals);
+  const StoredMatch match = open_match(options.match, globals, options.name);
   const Abilities abilities = abilities_of(globals.colour);
   if (globals.json) {
     print_json(match.record, options);
@@ -124,6 +126,7 @@ Command add_replay(CLI::App& program, const Globals& globals) {
       ->add_option("MATCH", options->match,
                    "A .breakshot file, - for standard input, or the id of a match on the server")
       ->required();
+  add_guest_name(*parser, options->name);
   parser->add_option("--shot", options->shot, "Show only this shot, from 1")->type_name("N");
   parser->add_option("--speed", options->speed, "Speed of time, 1 is real")
       ->type_name("X")

@@ -1,11 +1,10 @@
 // `breakshot simulate FILE`: runs one scenario offline and prints what happened.
 #include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "client_cli/command.hpp"
 #include "client_cli/commands/commands.hpp"
+#include "client_cli/read_input.hpp"
 #include "client_cli/simulation_report.hpp"
 #include "common/physics/audit.hpp"
 #include "common/physics/validation.hpp"
@@ -28,16 +27,6 @@ struct Options {
 };
 
 constexpr int exit_stalled = 3;
-
-std::string text_of_file(const std::string& name) {
-  if (name == "-") {
-    return {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-  }
-  std::ifstream file(name, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.good() && !file.eof()) throw CommandError(name + ": cannot be read", exit_usage);
-  return text;
-}
 
 study::Method method_of(const Options& options) {
   if (options.method == "literal") return study::Literal{options.step_s};
@@ -80,7 +69,7 @@ void check(const Options& options) {
 }
 
 wire::Scenario scenario_of(const std::string& file) {
-  auto reading = wire::read_scenario(text_of_file(file));
+  auto reading = wire::read_scenario(read_input(file));
   if (auto* scenario = std::get_if<wire::Scenario>(&reading)) return std::move(*scenario);
   std::string what;
   for (const physics::Fault& fault : std::get<std::vector<physics::Fault>>(reading)) {

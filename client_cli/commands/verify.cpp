@@ -5,6 +5,7 @@
 
 #include "client_cli/commands/commands.hpp"
 #include "client_cli/json.hpp"
+#include "client_cli/online/match_name.hpp"
 #include "client_cli/stored_match.hpp"
 
 namespace breakshot::client {
@@ -94,9 +95,9 @@ int worse(int a, int b) {
                        [a, b](int status) { return status == a || status == b; });
 }
 
-int verify_one(const std::string& name, const Globals& globals) {
+int verify_one(const std::string& name, const std::string& guest, const Globals& globals) {
   try {
-    const Finding finding = finding_of(open_match(name, globals));
+    const Finding finding = finding_of(open_match(name, globals, guest));
     print(name, finding, globals.json);
     return finding.status;
   } catch (const CommandError& error) {
@@ -112,7 +113,8 @@ int verify_one(const std::string& name, const Globals& globals) {
 }  // namespace
 
 Command add_verify(CLI::App& program, const Globals& globals) {
-  auto names = std::make_shared<std::vector<std::string>>();
+  const auto names = std::make_shared<std::vector<std::string>>();
+  const auto guest = std::make_shared<std::string>();
   CLI::App* parser = program.add_subcommand(
       "verify", "Simulate stored matches again and compare every bit with what is stored");
   parser
@@ -120,14 +122,15 @@ Command add_verify(CLI::App& program, const Globals& globals) {
                    "A .breakshot file, - for standard input, or the id of a "
                    "match on the server")
       ->required();
+  add_guest_name(*parser, *guest);
   parser->footer(
       "Exit status: 0 all verified; 1 something diverged or is damaged; 2 something cannot be\n"
       "read, or was played by physics that this program does not have; 3 a match that is not\n"
       "finished keeps its secret, so that only order and digests could be checked.");
-  return {parser, [names, &globals] {
+  return {parser, [names, guest, &globals] {
             int status = exit_done;
             for (const std::string& name : *names) {
-              status = worse(status, verify_one(name, globals));
+              status = worse(status, verify_one(name, *guest, globals));
             }
             return status;
           }};

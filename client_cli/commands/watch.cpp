@@ -119,7 +119,7 @@ class Screen {
 
 int watch(const Options& options, const Globals& globals) {
   const MatchName which = options.match.required_name();
-  const Guest guest = options.name.empty() ? stranger() : guest_of(options.name);
+  const Guest guest = guest_or_stranger(options.name);
   Screen* screen = nullptr;
   const auto plain_notice = notice_on_standard_error();
   Connection connection(server_of(globals), guest, [&](const std::string& what) {
@@ -159,14 +159,13 @@ Command add_watch(CLI::App& program, const Globals& globals) {
   options->match.add_to(*parser);
   parser
       ->add_option("--speed", options->speed,
-                   "How fast shots are shown: 0.25 to 16, 1 is real time")
+                   "How fast shots are shown: 0.01 to 1000, 1 is real time")
       ->check(CLI::Range(min_speed, max_speed).description(""))
       ->type_name("X")
       ->capture_default_str();
   parser->add_flag("--from-start", options->from_start,
                    "Show the shots that were played before, too");
-  parser->add_option("--name", options->name, "Watch as this guest, who sits at a private match")
-      ->type_name("NAME");
+  add_guest_name(*parser, options->name);
   return {parser, [options, &globals] { return watch(*options, globals); }};
 }
 

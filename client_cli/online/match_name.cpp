@@ -86,6 +86,15 @@ Guest stranger() {
   return {"spectator", std::nullopt};
 }
 
+Guest guest_or_stranger(const std::string& name) {
+  return name.empty() ? stranger() : guest_of(name);
+}
+
+void add_guest_name(CLI::App& parser, std::string& name) {
+  parser.add_option("--name", name, "Ask as this guest, who sits at a private match")
+      ->type_name("NAME");
+}
+
 std::string user_name() {
   const passwd* user = ::getpwuid(::geteuid());
   if (user == nullptr || lobby::name_fault(user->pw_name)) return "guest";

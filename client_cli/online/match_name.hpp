@@ -47,6 +47,12 @@ Guest guest_of(const std::string& name);
 /// Somebody who only looks, and whom nobody remembers: looking must not take over the connection
 /// with which the same person is playing.
 Guest stranger();
+
+/// The guest of that name, or a stranger where none was given.
+Guest guest_or_stranger(const std::string& name);
+
+/// The option by which a player asks for a private match without its code: `--name NAME`.
+void add_guest_name(CLI::App& parser, std::string& name);
 /// What the system calls the user, as far as it can be a name; else "guest".
 std::string user_name();
 

@@ -143,7 +143,7 @@ TEST(Replay, ShowsTheValidPrefixOfADamagedFileAndSaysSo) {
 TEST(Replay, RefusesWhatItCannotDo) {
   const MatchFiles files;
   EXPECT_EQ(breakshot({"replay", files.finished(), "--shot", "999"}).status, 2);
-  EXPECT_EQ(breakshot({"replay", files.finished(), "--speed", "17"}).status, 2);
+  EXPECT_EQ(breakshot({"replay", files.finished(), "--speed", "1001"}).status, 2);
   EXPECT_EQ(breakshot({"replay", files.path("missing")}).status, 2);
 }
 
@@ -179,6 +179,9 @@ TEST(Render, SaysWhatItCannotDraw) {
       {2, {"render", match, "-o", png, "--time", "1e9"}},
       {2, {"render", match, "-o", png, "--time", "-1"}},
       {2, {"render", match, "-o", png, "--size", "10x10"}},
+      {2, {"render", match, "-o", png, "--size", "16385"}},
+      {2, {"render", "--figure", "1", "-o", png, "--shot", "2"}},
+      {2, {"render", "--figure", "1", "-o", png, "--caption"}},
       {2, {"render", match, "-o", png, "--size", "wide"}},
       {2, {"render", match, "-o", png, "--figure", "1"}},
       {2, {"render", "--figure", "5", "-o", png}},

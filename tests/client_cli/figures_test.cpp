@@ -36,5 +36,17 @@ TEST(Figures, AreThoseOfThePaperOnEveryTable) {
   }
 }
 
+TEST(Figures, ShowMoreIfAsked) {
+  const physics::Scene& scene = physics::presets().front().scene;
+  const Picture plain = figure(3, scene);
+  EXPECT_TRUE(plain.paths.empty());
+  EXPECT_FALSE(plain.cue);
+  const Picture full = figure(3, scene, std::nullopt, {true, true, true});
+  EXPECT_GT(full.paths.size(), 8u);
+  EXPECT_TRUE(full.velocities);
+  ASSERT_TRUE(full.cue);
+  EXPECT_GT(full.cue->direction.y, 0);
+}
+
 }  // namespace
 }  // namespace breakshot::client

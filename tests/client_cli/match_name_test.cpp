@@ -69,7 +69,7 @@ TEST(FetchRecord, SaysWhyThereIsNone) {
   OneMatchServer server;
   const ServerAddress address{"127.0.0.1", server.port()};
   const auto what = [&](const std::string& name) {
-    const auto fetched = fetch_record(address, name);
+    const auto fetched = fetch_record(address, stranger(), name);
     const auto* failure = std::get_if<Failure>(&fetched);
     return failure == nullptr ? "fetched" : failure->what;
   };

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -11,6 +12,8 @@
 
 #include "common/record/record.hpp"
 #include "tests/support/background.hpp"
+#include "tests/support/chance.hpp"
+#include "tests/support/pseudo_terminal.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/server_process.hpp"
 
@@ -66,10 +69,10 @@ class OnlineProgram : public ::testing::Test {
   }
 
   /// The first match that `list` shows, waited for.
-  std::string match_listed(const std::string& filter) const {
+  std::string match_listed(const std::string& filter, const std::string& guest = "Nan") const {
     const std::string key = "\"match\":\"";
     for (int tries = 0; tries < 1000; ++tries) {
-      const Finished listed = run({"list", "--json", filter});
+      const Finished listed = run({"list", "--json", filter, "--name", guest});
       const std::size_t at = listed.out.find(key);
       if (at != std::string::npos) return listed.out.substr(at + key.size(), 16);
     }
@@ -109,6 +112,9 @@ TEST_F(OnlineProgram, TwoBotsPlayAMatchToItsEndWhileSomebodyWatches) {
   EXPECT_EQ(record::file_of(*reading.record), bytes);
   EXPECT_EQ(record::verify(*reading.record).kind, record::Verdict::Kind::verified);
 
+  // What is no plain file is written to as it is, and stays what it is.
+  EXPECT_EQ(run({"export", match, "-o", "/dev/null"}).status, 0);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
   const Finished streamed = run({"export", match, "-o", "-"});
   EXPECT_EQ(streamed.out, std::string(bytes.begin(), bytes.end()));
   EXPECT_EQ(match_listed("--finished"), match);
@@ -158,6 +164,35 @@ TEST_F(OnlineProgram, PrivateMatchesAreReachedByTheirCode) {
   EXPECT_EQ(ann.wait().status, 0);
   EXPECT_TRUE(has(run({"watch", "--code", code}).out, "Ann against Bob"));
   EXPECT_TRUE(has(run({"list", "--mine", "--name", "Ann", "--json"}).out, code));
+  // Or by their seat. Nobody else knows of them.
+  const std::string id = match_listed("--mine", "Ann");
+  EXPECT_TRUE(has(run({"replay", id, "--name", "Ann"}).out, "Ann against Bob"));
+  EXPECT_EQ(run({"verify", id, "--name", "Ann"}).status, 0);
+  EXPECT_EQ(run({"verify", id, "--name", "Eve"}).status, 2);
+  EXPECT_EQ(run({"verify", id}).status, 2);
+}
+
+TEST_F(OnlineProgram, APlayerAimsLooksAndShootsInATerminal) {
+  std::vector<std::string> words =
+      line({"play", "--new", "--game", "practice", "--name", "Ann", "--speed", "50"});
+  support::OnTerminal program([&] {
+    ::setenv("TERM", "xterm-256color", 1);
+    ::setenv("LC_ALL", "C.UTF-8", 1);
+    support::detail::become(words, home());
+  });
+  ASSERT_TRUE(program.wait_for("to see how.")) << program.seen();
+  program.type("aim 3\r");
+  // The line of aim is drawn, and then said, before anything is struck.
+  ASSERT_TRUE(program.wait_for("Aim 3.00 degrees")) << program.seen();
+  EXPECT_EQ(program.seen().find("shot 1 "), std::string::npos);
+  program.type("shoot\r");
+  ASSERT_TRUE(program.wait_for("shot 1 ")) << program.seen();
+  // The next prompt comes once the balls have been seen to stop.
+  const auto prompts = [](const std::string& seen) { return lines_with(seen, "Your shot"); };
+  EXPECT_TRUE(program.wait_until([&](const std::string& seen) { return prompts(seen) > 1; }));
+  program.type("quit\r");
+  EXPECT_EQ(program.finish(), 0);
+  EXPECT_TRUE(program.modes_are_as_before());
 }
 
 TEST_F(OnlineProgram, AScriptPlaysAPractice) {
@@ -209,15 +244,20 @@ TEST_F(OnlineProgram, APlayerComesBackToTheSeat) {
 
 TEST_F(OnlineProgram, BotsGoOnThroughAServerThatIsKilled) {
   const std::string port = std::to_string(server_->port());
-  const std::vector<std::string> thinking = {"--candidates", "200", "--error", "2"};
-  auto ann_line = line({"bot", "--new", "--name", "Ann", "--seed", "1"});
+  const std::vector<std::string> thinking = {"--candidates", "3000", "--error", "2",
+                                             "--shots",      "500"};
+  auto ann_line = line({"bot", "--new", "--race", "50", "--name", "Ann", "--seed", "1"});
   ann_line.insert(ann_line.end(), thinking.begin(), thinking.end());
   Background ann(ann_line, home());
   auto bob_line = line({"bot", match_listed("--open"), "--name", "Bob", "--seed", "2"});
   bob_line.insert(bob_line.end(), thinking.begin(), thinking.end());
   Background bob(bob_line, home());
-  for (const char* moment : {"\nshot 1 ", "\nshot 2 ", "\nshot 4 "}) {
-    await([&] { return has(ann.printed(), moment); });
+  await([&] { return has(ann.printed(), "\nshot 1 "); });
+  // At any moments, while the bots think, shoot, or are on their way back.
+  support::Chance chance(5);
+  for (int kills = 0; kills < 20; ++kills) {
+    ::poll(nullptr, 0, 100 + static_cast<int>(chance.below(300)));
+    ASSERT_FALSE(has(ann.printed(), "wins the match")) << "after " << kills << " kills";
     server_->kill();
     server_.emplace(BREAKSHOT_SERVER_PROGRAM, scratch_.path() / "data",
                     std::vector<std::string>{"--port", port});

@@ -101,6 +101,19 @@ TEST(Simulate, NamesTheFieldOfBadInputAndPrintsNothingElse) {
   EXPECT_NE(ran.err.find("scenario.json: scene.gravity: "), std::string::npos) << ran.err;
 }
 
+TEST(Simulate, SaysWhyAFileCannotBeRead) {
+  const support::Scratch scratch;
+  const auto folder = scratch.path().string();
+  const auto said = [](const std::string& file) {
+    const support::Finished finished = support::run({BREAKSHOT_PROGRAM, "simulate", file});
+    EXPECT_EQ(finished.status, 2);
+    return finished.err;
+  };
+  EXPECT_EQ(said(folder), "breakshot: " + folder + ": cannot be read: Is a directory\n");
+  EXPECT_EQ(said(folder + "/none"),
+            "breakshot: " + folder + "/none: cannot be read: No such file or directory\n");
+}
+
 TEST(Simulate, RefusesMethodsStepsAndScalarsThatMakeNoSense) {
   const std::string present_physics = std::to_string(physics::physics_version);
   const std::vector<std::pair<std::vector<std::string>, std::string>> senseless = {
