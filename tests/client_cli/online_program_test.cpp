@@ -113,8 +113,12 @@ TEST_F(OnlineProgram, TwoBotsPlayAMatchToItsEndWhileSomebodyWatches) {
   EXPECT_EQ(record::verify(*reading.record).kind, record::Verdict::Kind::verified);
 
   // What is no plain file is written to as it is, and stays what it is.
-  EXPECT_EQ(run({"export", match, "-o", "/dev/null"}).status, 0);
-  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  const auto link = scratch_.path() / "link";
+  std::filesystem::create_symlink(scratch_.path() / "linked", link);
+  std::ofstream(scratch_.path() / "linked").close();
+  EXPECT_EQ(run({"export", match, "-o", link.string()}).status, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(std::filesystem::file_size(link), std::filesystem::file_size(file));
   const Finished streamed = run({"export", match, "-o", "-"});
   EXPECT_EQ(streamed.out, std::string(bytes.begin(), bytes.end()));
   EXPECT_EQ(match_listed("--finished"), match);
