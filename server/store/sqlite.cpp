@@ -4,12 +4,10 @@
 
 #include <utility>
 
+#include "server/store/limits.hpp"
+
 namespace breakshot::store {
 namespace {
-
-/// How long one connection waits for another one of this process, ms. The writer never waits for
-/// readers in WAL mode; this covers the moments at which the file is opened and recovered.
-constexpr int busy_timeout_ms = 10'000;
 
 [[noreturn]] void fail(sqlite3* database, int result) {
   const std::string what = database ? sqlite3_errmsg(database) : sqlite3_errstr(result);

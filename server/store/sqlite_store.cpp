@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "server/store/limits.hpp"
 #include "server/store/lock.hpp"
 #include "server/store/reading.hpp"
 #include "server/store/schema.hpp"
@@ -13,10 +14,6 @@
 
 namespace breakshot::store {
 namespace {
-
-/// Batches that share one transaction, and so one wait for the medium. Bounds what a failed commit
-/// takes along and how long the first one waits for the others.
-constexpr std::size_t most_batches_at_once = 256;
 
 struct Order {
   ledger::Ticket ticket{};
