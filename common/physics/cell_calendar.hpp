@@ -11,13 +11,13 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
 #include "common/physics/appointment.hpp"
 #include "common/physics/cells.hpp"
+#include "common/physics/course.hpp"
 #include "common/physics/event_heap.hpp"
 
 namespace breakshot::physics {
@@ -34,7 +34,7 @@ class CellCalendar {
         cells_(balls, laws.diameter),
         heap_(balls),
         paths_(balls),
-        motions_(balls),
+        courses_(balls),
         entries_(balls) {}
 
   const Path<Real>& path(std::size_t ball) const { return paths_[ball]; }
@@ -97,11 +97,11 @@ class CellCalendar {
       std::iota(all, all + paths_.size(), 0u);
       found_.end_at(all + paths_.size());
     }
-    const Vec place = position_at(motions_[ball]);
+    const Vec place = position_at(courses_[ball], now_s_);
     std::uint32_t* end = likely_.begin_anew(found_.size());
     std::uint32_t* const begin = end;
     for (const std::uint32_t other : found_) {
-      const Vec d = position_at(motions_[other]) - place;
+      const Vec d = position_at(courses_[other], now_s_) - place;
       *end = other;
       end += dot(d, d) <= reach * reach;
     }
@@ -122,7 +122,7 @@ class CellCalendar {
     if (built_ && after == Phase::pocketed && before != Phase::pocketed) cells_.remove(ball);
     paths_[ball] = path;
     const BasicSegment<Real>& s = path.segment;
-    motions_[ball] = {s.start_s, s.position, s.velocity, s.acceleration, never<Real>};
+    courses_[ball] = {s.start_s, s.position, s.velocity, s.acceleration, never<Real>};
     ++entries_[ball].paths;
     changed_.push_back(ball);
   }
@@ -161,16 +161,7 @@ class CellCalendar {
   /// What is kept of fewer balls stays in a processor's own caches.
   static constexpr std::size_t most_balls_at_hand = 4096;
 
-  /// What is looked at of a ball whenever a neighbour asks: one cache line.
-  struct alignas(std::bit_ceil(8 * sizeof(Real))) Motion {
-    Real start_s{};
-    Vec position;
-    Vec velocity;
-    Vec acceleration;
-    Real until_s = never<Real>;  ///< of the ball's next event, as far as is known
-  };
-
-  /// The next event of a ball, at motions_[ball].until_s, and the next crossing.
+  /// The next event of a ball, at courses_[ball].until_s, and the next crossing.
   struct Entry {
     Real crossing_s = never<Real>;
     std::uint32_t with = 0;
@@ -180,18 +171,8 @@ class CellCalendar {
     Side side = Side::right;
   };
 
-  Vec position_at(const Motion& m) const {
-    const Real dt = now_s_ - m.start_s;
-    return {m.position.x + (m.velocity.x + m.acceleration.x * (dt / 2)) * dt,
-            m.position.y + (m.velocity.y + m.acceleration.y * (dt / 2)) * dt};
-  }
-  Vec velocity_at(const Motion& m) const {
-    const Real dt = now_s_ - m.start_s;
-    return {m.velocity.x + m.acceleration.x * dt, m.velocity.y + m.acceleration.y * dt};
-  }
-
   bool crosses(std::uint32_t ball) const {
-    return entries_[ball].crossing_s <= motions_[ball].until_s;
+    return entries_[ball].crossing_s <= courses_[ball].until_s;
   }
   bool is_internal(std::uint32_t ball) const {
     const Entry& entry = entries_[ball];
@@ -210,7 +191,7 @@ class CellCalendar {
   }
 
   void forget(std::uint32_t ball) {
-    motions_[ball].until_s = never<Real>;
+    courses_[ball].until_s = never<Real>;
     entries_[ball].due = Due::nothing;
   }
 
@@ -220,14 +201,14 @@ class CellCalendar {
     const Real after = until_s * (1 + 2 * Range::epsilon()) + Range::min();
     const Appointment<Real> own = own_events_.next(paths_[ball], after);
     if (own.due == Due::nothing || own.time_s > until_s) return false;
-    motions_[ball].until_s = own.time_s;
+    courses_[ball].until_s = own.time_s;
     entries_[ball].due = own.due;
     entries_[ball].with = own.with;
     return true;
   }
 
   void schedule(std::uint32_t ball) {
-    heap_.set(ball, smaller(motions_[ball].until_s, entries_[ball].crossing_s),
+    heap_.set(ball, smaller(courses_[ball].until_s, entries_[ball].crossing_s),
               [this](std::size_t others, std::uint32_t next) { fetch(others, next); });
   }
 
@@ -235,10 +216,11 @@ class CellCalendar {
   /// `others` are about to have theirs before it. First what is the ball's own, then what that
   /// names, then the neighbours. Of many balls most of an event is else waiting for memory.
   void fetch(std::size_t others, std::uint32_t ball) {
-    if (!fetches_ || others > 512) return;
-    if (others > 64) {
+    constexpr std::size_t near = EventHeap<Real>::branches;
+    if (!fetches_ || others > near * near * near) return;
+    if (others > near * near) {
       fetch_own(ball);
-    } else if (others > 8) {
+    } else if (others > near) {
       heap_.fetch(ball);
       cells_.fetch_beside(ball);
       if (crosses(ball)) return;
@@ -250,12 +232,12 @@ class CellCalendar {
       fetch_path(with);
     } else if (others > 1) {
       cells_.find_beside(ball, found_to_fetch_);
-      for (const std::uint32_t other : found_to_fetch_) __builtin_prefetch(&motions_[other]);
+      for (const std::uint32_t other : found_to_fetch_) __builtin_prefetch(&courses_[other]);
     }
   }
   void fetch_own(std::uint32_t ball) const {
     __builtin_prefetch(&entries_[ball]);
-    __builtin_prefetch(&motions_[ball]);
+    __builtin_prefetch(&courses_[ball]);
     cells_.fetch_place(ball);
   }
   void fetch_path(std::uint32_t ball) const {
@@ -269,7 +251,7 @@ class CellCalendar {
     ++crossings_;
     const Real doubt = 8 * std::numeric_limits<Real>::epsilon() * now_s_ * top_speed_;
     if (crossings_ > crossings_a_change * (paths_.size() + changes_) ||
-        !cells_.resolves(position_at(motions_[ball]), doubt)) {
+        !cells_.resolves(position_at(courses_[ball], now_s_), doubt)) {
       build(2 * cells_.side());
       return;
     }
@@ -280,9 +262,9 @@ class CellCalendar {
   }
 
   void plan_crossing(std::uint32_t ball) {
-    const Motion& m = motions_[ball];
+    const Course<Real>& m = courses_[ball];
     const Crossing<Real> next =
-        cells_.crossing(ball, position_at(m), velocity_at(m), m.acceleration);
+        cells_.crossing(ball, position_at(m, now_s_), velocity_at(m, now_s_), m.acceleration);
     entries_[ball].crossing_s = now_s_ + next.after_s;
     entries_[ball].side = next.side;
   }
@@ -296,7 +278,7 @@ class CellCalendar {
       return paths_[ball].segment.phase != Phase::pocketed;
     };
     cells_.build(least_side, present,
-                 [this](std::uint32_t ball) { return position_at(motions_[ball]); });
+                 [this](std::uint32_t ball) { return position_at(courses_[ball], now_s_); });
     for (std::uint32_t ball = 0; ball < paths_.size(); ++ball) {
       if (!present(ball)) continue;
       meet_beside(ball, none);
@@ -310,21 +292,21 @@ class CellCalendar {
     cells_.find_beside(ball, found_);
     const Real first = find_partners(ball, met);
     foresee(ball, first);
-    if (!(motions_[ball].until_s < first)) agree_with_partners(ball, first);
+    if (!(courses_[ball].until_s < first)) agree_with_partners(ball, first);
   }
 
   /// Sets `partners_` to those of found_ that `ball` meets first, and gives the time; or to nobody
   /// if all that comes after another event of the ball. What would come after another event of
   /// either need not be known: then they are asked again.
   Real find_partners(std::uint32_t ball, std::uint32_t met) {
-    Real first = smaller(motions_[ball].until_s, paths_[ball].end_s);
+    Real first = smaller(courses_[ball].until_s, paths_[ball].end_s);
     partners_.clear();
     screen(ball, first);
     for (const std::uint32_t other : likely_) {
       if (other == ball || other == met) continue;
       const Real t = detector_.time(paths_[std::min(ball, other)], paths_[std::max(ball, other)],
-                                    smaller(first, motions_[other].until_s));
-      if (t > first || t > motions_[other].until_s || t == never<Real>) continue;
+                                    smaller(first, courses_[other].until_s));
+      if (t > first || t > courses_[other].until_s || t == never<Real>) continue;
       if (t < first) partners_.clear();
       first = t;
       partners_.push_back(other);
@@ -335,14 +317,14 @@ class CellCalendar {
   /// Leaves in likely_ those of found_ that `ball` may meet before `until_s` and their own next
   /// event: all that it does, and few others. Without branches in the loops.
   void screen(std::uint32_t ball, Real until_s) {
-    const Motion& own = motions_[ball];
+    const Course<Real>& own = courses_[ball];
     const Real last = smaller(until_s, now_s_ + Real(longest_span_s<Real>)) - now_s_;
-    const Vec p = position_at(own);
-    const Vec v = velocity_at(own);
+    const Vec p = position_at(own, now_s_);
+    const Vec v = velocity_at(own, now_s_);
     std::uint32_t* end = likely_.begin_anew(found_.size());
     if (straight_) {
       for (const std::uint32_t other : found_) {
-        const Motion& m = motions_[other];
+        const Course<Real>& m = courses_[other];
         const Vec d = m.position + m.velocity * (now_s_ - m.start_s) - p;
         const Real span = smaller(m.until_s - now_s_, last);
         *end = other;
@@ -350,12 +332,12 @@ class CellCalendar {
       }
     } else {
       for (const std::uint32_t other : found_) {
-        const Motion& m = motions_[other];
-        const Vec d = position_at(m) - p;
+        const Course<Real>& m = courses_[other];
+        const Vec d = position_at(m, now_s_) - p;
         const Real span = smaller(m.until_s - now_s_, last);
         *end = other;
-        end += !(detector_.separation(d, velocity_at(m) - v, m.acceleration - own.acceleration,
-                                      span) > 0);
+        end += !(detector_.separation(d, velocity_at(m, now_s_) - v,
+                                      m.acceleration - own.acceleration, span) > 0);
       }
     }
     likely_.end_at(end);
@@ -371,9 +353,9 @@ class CellCalendar {
   /// Takes an appointment with `other` down if it is the next event of `ball`.
   bool agree(std::uint32_t ball, Real time_s, std::uint32_t other) {
     Entry& entry = entries_[ball];
-    const Appointment<Real> known{motions_[ball].until_s, entry.due, entry.with};
+    const Appointment<Real> known{courses_[ball].until_s, entry.due, entry.with};
     if (!comes_first(Appointment<Real>{time_s, Due::ball, other}, known)) return false;
-    motions_[ball].until_s = time_s;
+    courses_[ball].until_s = time_s;
     entry.due = Due::ball;
     entry.with = other;
     entry.paths_of_other = entries_[other].paths;
@@ -388,7 +370,7 @@ class CellCalendar {
   Cells<Real> cells_;
   EventHeap<Real> heap_;
   std::vector<Path<Real>> paths_;
-  std::vector<Motion> motions_;
+  std::vector<Course<Real>> courses_;
   std::vector<Entry> entries_;
   Real now_s_{};
   bool built_ = false;

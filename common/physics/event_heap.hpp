@@ -17,6 +17,9 @@ namespace breakshot::physics {
 template <class Real>
 class EventHeap {
  public:
+  /// Of a node.
+  static constexpr std::size_t branches = 8;
+
   /// All balls at never.
   explicit EventHeap(std::size_t balls) {
     std::size_t balls_below = 1;
@@ -80,8 +83,6 @@ class EventHeap {
   }
 
  private:
-  static constexpr std::size_t branches = 8;
-
   /// Those of eight neighbours.
   class alignas(branches * sizeof(Real)) Times {
    public:
