@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "common/physics/noses.hpp"
 #include "common/physics/pair_detector.hpp"
 
 namespace breakshot::physics {
@@ -32,23 +33,24 @@ template <class Real>
 class OwnEvents {
  public:
   OwnEvents(const Laws<Real>& laws, Real top_speed)
-      : laws_(laws), top_speed_(top_speed), main_noses_(laws.walls.empty() ? 0 : main_noses) {}
+      : laws_(laws),
+        top_speed_(top_speed),
+        walls_(laws.walls, laws.walls.size(), laws.radius, top_speed),
+        main_noses_(laws.noses, laws.walls.empty() ? 0 : main_noses, laws.radius, top_speed),
+        noses_(laws.noses, laws.noses.size(), laws.radius, top_speed) {}
 
   /// The next such event of a path; if there is none before `until_s`, nothing at that time.
   Appointment<Real> next(const Path<Real>& path, Real until_s = never<Real>) const {
     Appointment<Real> first{until_s, Due::nothing, 0};
     if (path.end_s < until_s) first = {path.end_s, Due::phase_end, 0};
     if (is_still(path.segment.phase) || stays_inside(path, first.time_s)) return first;
-    if (main_noses_ > 0 && laws_.is_inside(path.segment.position)) {
-      Real leaves = first.time_s;
-      for (const Nose<Real>& wall : laws_.walls) {
-        leaves = smaller(leaves, cushion_time(path, wall, laws_.radius, top_speed_, leaves));
-      }
+    if (!main_noses_.empty() && laws_.is_inside(path.segment.position)) {
+      const Real leaves = walls_.first(path, first.time_s).time_s;
       if (leaves == first.time_s) return first;
       const Appointment<Real> cushion = first_nose(path, main_noses_, first);
       if (cushion.time_s <= leaves) return cushion;
     }
-    return first_circle(path, first_nose(path, laws_.noses.size(), first));
+    return first_circle(path, first_nose(path, noses_, first));
   }
 
  private:
@@ -65,13 +67,10 @@ class OwnEvents {
                            reach + touch_gap_bound(2 * coordinate, 2 * path.speed, s.start_s));
   }
 
-  Appointment<Real> first_nose(const Path<Real>& path, std::size_t count,
-                               Appointment<Real> first) const {
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const Real t = cushion_time(path, laws_.noses[i], laws_.radius, top_speed_, first.time_s);
-      if (t < first.time_s) first = {t, Due::cushion, i};
-    }
-    return first;
+  static Appointment<Real> first_nose(const Path<Real>& path, const Noses<Real>& noses,
+                                      const Appointment<Real>& first) {
+    const auto [time_s, nose] = noses.first(path, first.time_s);
+    return time_s < first.time_s ? Appointment<Real>{time_s, Due::cushion, nose} : first;
   }
 
   Appointment<Real> first_circle(const Path<Real>& path, Appointment<Real> first) const {
@@ -102,7 +101,9 @@ class OwnEvents {
 
   const Laws<Real>& laws_;
   Real top_speed_;
-  std::size_t main_noses_;
+  Noses<Real> walls_;
+  Noses<Real> main_noses_;
+  Noses<Real> noses_;
 };
 
 }  // namespace breakshot::physics

@@ -129,9 +129,13 @@ class TableCalendar {
   }
 
   void meet_first(std::uint32_t ball, const Appointment<Real>& appointment) {
-    next_[ball] = appointment;
-    version_met_[ball] = versions_[appointment.due == Due::ball ? appointment.with : ball];
-    field_.set_until(ball, appointment.time_s);
+    // One by one, as they were written: read together, what was written in parts has to wait.
+    const auto [time_s, due, with] = appointment;
+    next_[ball].time_s = time_s;
+    next_[ball].due = due;
+    next_[ball].with = with;
+    version_met_[ball] = versions_[due == Due::ball ? with : ball];
+    field_.set_until(ball, time_s);
   }
 
   void meet_all(std::uint32_t i) {

@@ -37,11 +37,11 @@ class Field {
     Group& group = groups_[ball / Many::size];
     const std::size_t i = ball % Many::size;
     group.start.set(i, s.start_s);
-    set_both(group.start_position, i, s.position);
-    set_both(group.position, i, s.position);
-    set_both(group.start_velocity, i, s.velocity);
-    set_both(group.velocity, i, s.velocity);
-    set_both(group.acceleration, i, s.acceleration);
+    physics::set(group.start_position, i, s.position);
+    physics::set(group.position, i, s.position);
+    physics::set(group.start_velocity, i, s.velocity);
+    physics::set(group.velocity, i, s.velocity);
+    physics::set(group.acceleration, i, s.acceleration);
     Sets& sets = sets_[ball / balls_of_a_set];
     set_bit(sets.present, ball % balls_of_a_set, s.phase != Phase::pocketed);
     set_bit(sets.moving, ball % balls_of_a_set, !is_still(s.phase));
@@ -93,7 +93,7 @@ class Field {
   /// `reach` of that of `ball`.
   template <class Found>
   void each_within(std::size_t ball, Real reach, const Found& found) const {
-    const BasicVec2<Many> place = both(groups_[ball / Many::size].position, ball % Many::size);
+    const BasicVec2<Many> place = pack_of(groups_[ball / Many::size].position, ball % Many::size);
     const Many square(reach * reach);
     each_of_all([this, ball](const Sets& sets) { return without(ball, sets, sets.present); },
                 [&](const Group& group) {
@@ -109,9 +109,9 @@ class Field {
   void each_that_may_meet(std::size_t ball, const Found& found) const {
     const Group& own = groups_[ball / Many::size];
     const std::size_t k = ball % Many::size;
-    const BasicVec2<Many> position = both(own.position, k);
-    const BasicVec2<Many> velocity = both(own.velocity, k);
-    const BasicVec2<Many> acceleration = both(own.acceleration, k);
+    const BasicVec2<Many> position = pack_of(own.position, k);
+    const BasicVec2<Many> velocity = pack_of(own.velocity, k);
+    const BasicVec2<Many> acceleration = pack_of(own.acceleration, k);
     const Many now(now_s_);
     const Many end(smaller(own.until[k], now_s_ + Real(longest_span_s<Real>)));
     const bool moves = (sets_[ball / balls_of_a_set].moving >> ball % balls_of_a_set & 1) != 0;
@@ -157,13 +157,6 @@ class Field {
     std::size_t end = 0;
   };
 
-  static void set_both(BasicVec2<Many>& packs, std::size_t i, BasicVec2<Real> numbers) {
-    packs.x.set(i, numbers.x);
-    packs.y.set(i, numbers.y);
-  }
-  static BasicVec2<Many> both(const BasicVec2<Many>& packs, std::size_t i) {
-    return {Many(packs.x[i]), Many(packs.y[i])};
-  }
   static void set_bit(Bits& set, std::size_t i, bool value) {
     set = (set & ~(Bits{1} << i)) | Bits{value} << i;
   }

@@ -184,6 +184,7 @@ class Loop {
   void take_up(std::uint32_t ball, const Appointment<Real>& appointment) {
     at_hand(ball);
     if (appointment.due == Due::ball) {
+      if (contacts_.has(ball, appointment.with)) return;
       at_hand(appointment.with);
       contacts_.add_balls(bodies_, ball, appointment.with, true);
     } else if (appointment.due == Due::cushion) {

@@ -6,7 +6,10 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
+
+#include "common/physics/vec.hpp"
 
 namespace breakshot::physics {
 
@@ -67,12 +70,50 @@ class Pack {
   friend Pack operator+(Pack a, Pack b) { return of(a.numbers_ + b.numbers_); }
   friend Pack operator-(Pack a, Pack b) { return of(a.numbers_ - b.numbers_); }
   friend Pack operator*(Pack a, Pack b) { return of(a.numbers_ * b.numbers_); }
+  friend Pack operator/(Pack a, Pack b) { return of(a.numbers_ / b.numbers_); }
+
+  friend Pack root(Pack a) {
+    using std::sqrt;
+    if constexpr (size == 1) {
+      return of(sqrt(a.numbers_));
+#ifdef __SSE2__
+    } else if constexpr (std::is_same_v<Real, double>) {
+      return of(__builtin_ia32_sqrtpd(a.numbers_));
+#endif
+    } else {
+      for (std::size_t i = 0; i < size; ++i) a.numbers_[i] = sqrt(a.numbers_[i]);
+      return a;
+    }
+  }
 
   friend Pack smaller(Pack a, Pack b) {
     return of(b.numbers_ < a.numbers_ ? b.numbers_ : a.numbers_);
   }
   friend Pack larger(Pack a, Pack b) {
     return of(a.numbers_ < b.numbers_ ? b.numbers_ : a.numbers_);
+  }
+
+  /// `a` where `b` is above `c`; elsewhere not a number.
+  friend Pack where_above(Pack a, Pack b, Pack c) {
+    if constexpr (size == 1) {
+      return b.numbers_ > c.numbers_ ? a : of(not_a_number);
+    } else {
+      return of(std::bit_cast<Native>(std::bit_cast<Integers>(a.numbers_) |
+                                      ~std::bit_cast<Integers>(b.numbers_ > c.numbers_)));
+    }
+  }
+  /// `a` where `b` is not above `c`; elsewhere not a number.
+  friend Pack where_not_above(Pack a, Pack b, Pack c) {
+    if constexpr (size == 1) {
+      return b.numbers_ > c.numbers_ ? of(not_a_number) : a;
+    } else {
+      return of(std::bit_cast<Native>(std::bit_cast<Integers>(a.numbers_) |
+                                      std::bit_cast<Integers>(b.numbers_ > c.numbers_)));
+    }
+  }
+  /// `c` where `a` is below `b`, else `d`.
+  friend Pack chosen(Pack a, Pack b, Pack c, Pack d) {
+    return of(a.numbers_ < b.numbers_ ? c.numbers_ : d.numbers_);
   }
 
   friend Pack magnitude(Pack a) {
@@ -105,6 +146,8 @@ class Pack {
   /// The number that each quarter of a pack belongs to.
   static constexpr Lanes lanes = {0, size / 4, size / 2, size / 2 + size / 4};
 
+  static inline const Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
+
   static Pack of(Native numbers) {
     Pack pack;
     pack.numbers_ = numbers;
@@ -113,5 +156,23 @@ class Pack {
 
   Native numbers_{};
 };
+
+/// Sets one of several vectors.
+template <class Real>
+void set(BasicVec2<Pack<Real>>& packs, std::size_t i, BasicVec2<Real> vector) {
+  packs.x.set(i, vector.x);
+  packs.y.set(i, vector.y);
+}
+
+/// The same vector everywhere.
+template <class Real>
+BasicVec2<Pack<Real>> pack_of(BasicVec2<Real> vector) {
+  return {Pack<Real>(vector.x), Pack<Real>(vector.y)};
+}
+/// One of several vectors everywhere.
+template <class Real>
+BasicVec2<Pack<Real>> pack_of(const BasicVec2<Pack<Real>>& packs, std::size_t i) {
+  return {Pack<Real>(packs.x[i]), Pack<Real>(packs.y[i])};
+}
 
 }  // namespace breakshot::physics

@@ -81,9 +81,10 @@ class ContactSet {
     for (;; ++pass_) {
       if (pass_ == limit) return false;
       for (; reached < contacts_.size(); ++reached) {
-        const Contact<Real> contact = contacts_[reached];
-        if (join(contact.a)) touching(contact.a);
-        if (!contact.cushion && join(contact.b)) touching(contact.b);
+        const std::uint32_t a = contacts_[reached].a;
+        const std::uint32_t b = contacts_[reached].cushion ? a : contacts_[reached].b;
+        if (join(a)) touching(a);
+        if (join(b)) touching(b);
       }
       if (pass_ == limit - max_passes) unresolved_ = resolution(bodies);
       if (!pass(bodies, time_s, log) && !push_apart(bodies, time_s, log)) return true;
