@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "common/physics/appointment.hpp"
@@ -54,15 +55,17 @@ class CellCalendar {
         attend(first);
         continue;
       }
+      if (heap_.first_is_alone()) {
+        due_.push_back(first);
+        return time_s;
+      }
       // What is internal at the very instant comes first: it may bring more events to it.
       bool settled = true;
       heap_.each_earliest([&](std::uint32_t ball) {
         settled = settled && !is_internal(ball);
         due_.push_back(ball);
       });
-      if (settled) {
-        return time_s;
-      }
+      if (settled) return time_s;
       now_s_ = time_s;
       for (const std::uint32_t ball : due_) {
         if (heap_.time_of(ball) == time_s && is_internal(ball)) attend(ball);
@@ -76,10 +79,15 @@ class CellCalendar {
   /// Goes on to `time_s`. All that is asked from now on is asked of that instant.
   void move_to(Real time_s) { now_s_ = time_s; }
 
-  /// Calls `due(ball, appointment)` for every ball, ascending, whose next event is at `time_s`, the
-  /// time that earliest() has just given.
+  /// Calls `due(ball, appointment)` for every event at `time_s`, the time that earliest() has just
+  /// given, ascending by the lowest ball that takes part.
   template <class OnDue>
-  void each_due(Real time_s, const OnDue& due) const {
+  void each_due(Real time_s, const OnDue& due) {
+    if (due_.size() > 1) {
+      std::sort(due_.begin(), due_.end(), [this](std::uint32_t a, std::uint32_t b) {
+        return std::pair(lowest_of(a), a) < std::pair(lowest_of(b), b);
+      });
+    }
     for (const std::uint32_t ball : due_) {
       due(ball, Appointment<Real>{time_s, entries_[ball].due, entries_[ball].with});
     }
@@ -130,6 +138,7 @@ class CellCalendar {
   /// Predicts anew for the balls that changed at this instant.
   void update() {
     for (const std::uint32_t ball : changed_) forget(ball);
+    give_back_turns();
     if (laws_.ball_ball && built_) {
       changes_ += changed_.size();
       // Of two that have just met, the first has asked about the second.
@@ -161,6 +170,10 @@ class CellCalendar {
   /// What is kept of fewer balls stays in a processor's own caches.
   static constexpr std::size_t most_balls_at_hand = 4096;
 
+  /// A meeting has one turn in the heap, that of the ball that `calls` the other, which `waits` for
+  /// it and is in the heap for its crossings alone: of two turns one would be for nothing.
+  enum class Turn : std::uint8_t { own, calls, waits };
+
   /// The next event of a ball, at courses_[ball].until_s, and the next crossing.
   struct Entry {
     Real crossing_s = never<Real>;
@@ -169,7 +182,13 @@ class CellCalendar {
     std::uint32_t paths = 0;           ///< how many the ball has had
     Due due = Due::nothing;
     Side side = Side::right;
+    Turn turn = Turn::own;
   };
+
+  std::uint32_t lowest_of(std::uint32_t ball) const {
+    const Entry& entry = entries_[ball];
+    return entry.due == Due::ball ? std::min(ball, entry.with) : ball;
+  }
 
   bool crosses(std::uint32_t ball) const {
     return entries_[ball].crossing_s <= courses_[ball].until_s;
@@ -185,31 +204,58 @@ class CellCalendar {
       cross(ball);
     } else {
       forget(ball);
+      give_back_turns();
       meet_beside(ball, none);
       schedule(ball);
     }
   }
 
-  void forget(std::uint32_t ball) {
-    courses_[ball].until_s = never<Real>;
-    entries_[ball].due = Due::nothing;
+  /// give_back_turns() must follow.
+  void forget(std::uint32_t ball) { note(ball, never<Real>, Due::nothing, none); }
+
+  /// Takes another next event of a ball down. give_back_turns() must follow.
+  void note(std::uint32_t ball, Real time_s, Due due, std::uint32_t with) {
+    Entry& entry = entries_[ball];
+    if (entry.turn == Turn::calls) left_.push_back(entry.with);
+    courses_[ball].until_s = time_s;
+    entry.due = due;
+    entry.with = with;
+    entry.turn = Turn::own;
+  }
+
+  /// Those whose meeting was called by a ball that has another event now have their own turn again.
+  void give_back_turns() {
+    for (const std::uint32_t ball : left_) {
+      Entry& entry = entries_[ball];
+      const Entry& caller = entries_[entry.with];
+      if (entry.turn != Turn::waits || (caller.turn == Turn::calls && caller.with == ball)) continue;
+      entry.turn = Turn::own;
+      schedule(ball);
+    }
+    left_.clear();
   }
 
   /// Takes down what comes to the ball alone, if that is not after `until_s`.
-  bool foresee(std::uint32_t ball, Real until_s) {
+  void foresee(std::uint32_t ball, Real until_s) {
     using Range = std::numeric_limits<Real>;
     const Real after = until_s * (1 + 2 * Range::epsilon()) + Range::min();
     const Appointment<Real> own = own_events_.next(paths_[ball], after);
-    if (own.due == Due::nothing || own.time_s > until_s) return false;
-    courses_[ball].until_s = own.time_s;
-    entries_[ball].due = own.due;
-    entries_[ball].with = own.with;
-    return true;
+    if (own.due != Due::nothing && own.time_s <= until_s) {
+      note(ball, own.time_s, own.due, own.with);
+    }
   }
 
   void schedule(std::uint32_t ball) {
-    heap_.set(ball, smaller(courses_[ball].until_s, entries_[ball].crossing_s),
-              [this](std::size_t others, std::uint32_t next) { fetch(others, next); });
+    const Entry& entry = entries_[ball];
+    const Real time_s = entry.turn == Turn::waits
+                            ? entry.crossing_s
+                            : smaller(courses_[ball].until_s, entry.crossing_s);
+    if (fetches_) {
+      heap_.set(ball, time_s,
+                [this](std::size_t others, std::uint32_t next) { fetch(others, next); });
+    } else {
+      heap_.set(ball, time_s, [](std::size_t, std::uint32_t) {});
+    }
   }
 
   /// Has memory fetched that the next turn of `ball` asks for, step by step as it comes nearer:
@@ -217,7 +263,7 @@ class CellCalendar {
   /// names, then the neighbours. Of many balls most of an event is else waiting for memory.
   void fetch(std::size_t others, std::uint32_t ball) {
     constexpr std::size_t near = EventHeap<Real>::branches;
-    if (!fetches_ || others > near * near * near) return;
+    if (others > near * near * near) return;
     if (others > near * near) {
       fetch_own(ball);
     } else if (others > near) {
@@ -344,21 +390,27 @@ class CellCalendar {
   }
 
   void agree_with_partners(std::uint32_t ball, Real time_s) {
+    for (const std::uint32_t other : partners_) agree(ball, time_s, other);
     for (const std::uint32_t other : partners_) {
-      agree(ball, time_s, other);
-      if (agree(other, time_s, ball)) schedule(other);
+      if (!agree(other, time_s, ball)) continue;
+      Entry& own = entries_[ball];
+      if (own.due == Due::ball && own.with == other) {
+        own.turn = Turn::calls;
+        entries_[other].turn = Turn::waits;
+      } else {
+        schedule(other);
+      }
     }
+    give_back_turns();
   }
 
-  /// Takes an appointment with `other` down if it is the next event of `ball`.
+  /// Takes an appointment with `other` down if it is the next event of `ball`. give_back_turns()
+  /// must follow.
   bool agree(std::uint32_t ball, Real time_s, std::uint32_t other) {
-    Entry& entry = entries_[ball];
-    const Appointment<Real> known{courses_[ball].until_s, entry.due, entry.with};
+    const Appointment<Real> known{courses_[ball].until_s, entries_[ball].due, entries_[ball].with};
     if (!comes_first(Appointment<Real>{time_s, Due::ball, other}, known)) return false;
-    courses_[ball].until_s = time_s;
-    entry.due = Due::ball;
-    entry.with = other;
-    entry.paths_of_other = entries_[other].paths;
+    note(ball, time_s, Due::ball, other);
+    entries_[ball].paths_of_other = entries_[other].paths;
     return true;
   }
 
@@ -382,6 +434,7 @@ class CellCalendar {
   std::vector<std::uint32_t> changed_;
   std::vector<std::uint32_t> due_;  ///< at the earliest instant, ascending
   // Kept for their memory alone.
+  std::vector<std::uint32_t> left_;  ///< that waited for a ball which has another event now
   Gathered found_;
   Gathered likely_;
   Gathered found_to_fetch_;

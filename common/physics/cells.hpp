@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -15,7 +16,7 @@
 
 namespace breakshot::physics {
 
-/// Where a ball leaves its cell, and in how long.
+/// Where a ball leaves its cell, and in how long. Ahead is even.
 enum class Side : std::uint8_t { right, left, up, down };
 
 template <class Real>
@@ -107,17 +108,26 @@ class Cells {
   /// Sets `found` to all balls in the cell of `ball` and in those round it, itself among them, and
   /// some that are elsewhere.
   void find_beside(std::uint32_t ball, Gathered& found) const {
-    gather<3, 3>(at_[ball].column - 1, at_[ball].row - 1, found);
+    const Place& at = at_[ball];
+    std::array<const Cell*, 9> block;
+    for (std::int64_t k = 0; k < 9; ++k) {
+      block[static_cast<std::size_t>(k)] =
+          &cells_[slot_of(at.column - 1 + k % 3, at.row - 1 + k / 3)];
+    }
+    gather(block, found);
   }
 
   /// The same for the three cells that became neighbours when `ball` crossed over `side`.
   void find_ahead(std::uint32_t ball, Side side, Gathered& found) const {
-    const std::int64_t column = at_[ball].column;
-    const std::int64_t row = at_[ball].row;
-    if (side == Side::right) gather<1, 3>(column + 1, row - 1, found);
-    if (side == Side::left) gather<1, 3>(column - 1, row - 1, found);
-    if (side == Side::up) gather<3, 1>(column - 1, row + 1, found);
-    if (side == Side::down) gather<3, 1>(column - 1, row - 1, found);
+    const Place& at = at_[ball];
+    const bool beside = side == Side::right || side == Side::left;
+    const std::int64_t ahead = side == Side::right || side == Side::up ? 1 : -1;
+    std::array<const Cell*, 3> line;
+    for (std::int64_t k = -1; k <= 1; ++k) {
+      line[static_cast<std::size_t>(k + 1)] =
+          &cells_[slot_of(at.column + (beside ? ahead : k), at.row + (beside ? k : ahead))];
+    }
+    gather(line, found);
   }
 
   /// Have memory fetched: that by which a ball is found, and, once that is there, what
@@ -147,6 +157,14 @@ class Cells {
     const Place& at = at_[ball];
     const Real x = p.x - (origin_.x + Real(at.column) * side_);
     const Real y = p.y - (origin_.y + Real(at.row) * side_);
+    if (a == Vec{}) {
+      // Where a ball goes cannot be guessed: no branches.
+      const Real in_x = leaves(x, v.x);
+      const Real in_y = leaves(y, v.y);
+      const bool over_x = in_x < in_y;
+      const bool back = (over_x & (v.x < 0)) | (!over_x & (v.y < 0));
+      return {smaller(in_x, in_y), static_cast<Side>(2 * !over_x + back)};
+    }
     Crossing<Real> first;
     leave(first, side_ + slack_ - x, v.x, a.x, Side::right);
     leave(first, slack_ + x, -v.x, -a.x, Side::left);
@@ -179,7 +197,7 @@ class Cells {
   };
 
   /// The balls of a cell: two, and the first of a chain of the others. Hardly any cell has more
-  /// than three, so that they can be gathered without a branch.
+  /// than three, so that they can be gathered without a branch; `count` comes last.
   struct Cell {
     std::array<std::uint32_t, 3> balls{none, none, none};
     std::uint32_t count = 0;
@@ -187,37 +205,28 @@ class Cells {
 
   static constexpr std::size_t inlined = 3;
 
-  /// Sets `found` to the balls of a block of cells.
-  template <std::int64_t columns, std::int64_t rows>
-  void gather(std::int64_t column, std::int64_t row, Gathered& found) const {
-    std::uint32_t* end = found.begin_anew(columns * rows * inlined);
+  /// Sets `found` to the balls of some cells. Of each a whole cell is copied, and what is too much
+  /// written over by the next.
+  template <std::size_t count>
+  void gather(const std::array<const Cell*, count>& cells, Gathered& found) const {
+    std::uint32_t* end = found.begin_anew(count * inlined + 1);
     std::size_t most = 0;
-    for (std::int64_t r = 0; r < rows; ++r) {
-      const Cell* const cells = &cells_[slot_of(0, row + r)];
-      for (std::int64_t c = 0; c < columns; ++c) {
-        const Cell& cell = cells[static_cast<std::uint64_t>(column + c) & column_mask_];
-        for (std::size_t i = 0; i < inlined; ++i) end[i] = cell.balls[i];
-        end += std::min<std::size_t>(cell.count, inlined);
-        most = std::max<std::size_t>(most, cell.count);
-      }
+    for (const Cell* const cell : cells) {
+      std::memcpy(end, cell, sizeof(Cell));
+      end += std::min<std::size_t>(cell->count, inlined);
+      most = std::max<std::size_t>(most, cell->count);
     }
     found.end_at(end);
-    if (most > inlined) gather_chains<columns, rows>(column, row, found);
+    if (most > inlined) gather_chains(cells, found);
   }
 
   /// The same where a cell holds more balls than can be gathered so.
-  template <std::int64_t columns, std::int64_t rows>
-  void gather_chains(std::int64_t column, std::int64_t row, Gathered& found) const {
-    std::array<const Cell*, columns * rows> cells{};
+  template <std::size_t count>
+  void gather_chains(const std::array<const Cell*, count>& cells, Gathered& found) const {
     std::size_t all = 0;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      const auto c = static_cast<std::int64_t>(k) % columns;
-      const auto r = static_cast<std::int64_t>(k) / columns;
-      cells[k] = &cells_[slot_of(column + c, row + r)];
-      all += cells[k]->count;
-    }
+    for (const Cell* const cell : cells) all += cell->count;
     std::uint32_t* end = found.begin_anew(all);
-    for (const Cell* cell : cells) {
+    for (const Cell* const cell : cells) {
       std::uint32_t next = none;
       for (std::size_t i = 0; i < cell->count; ++i) {
         next = i < inlined ? cell->balls[i] : next_[next];
@@ -277,6 +286,15 @@ class Cells {
     Real sum = 0;
     for (const Cell& cell : cells_) sum += Real(cell.count) * Real(cell.count);
     return sum;
+  }
+
+  /// In how long a ball at `x` of its cell leaves it along one axis.
+  Real leaves(Real x, Real v) const {
+    const Real least = slack_ * std::numeric_limits<Real>::epsilon();
+    const Real ahead = larger(side_ + slack_ - x, least);
+    const Real behind = smaller(-slack_ - x, -least);
+    const Real pace = 1 / v;
+    return larger(ahead * pace, behind * pace);
   }
 
   static void leave(Crossing<Real>& first, Real gap, Real towards, Real pull, Side side) {

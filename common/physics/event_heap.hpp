@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "common/physics/detect.hpp"
@@ -28,7 +29,8 @@ class EventHeap {
       balls_below *= branches;
       Level& level = levels_.emplace_back();
       level.times.resize(nodes);
-      for (std::size_t k = 0; k < nodes; ++k) {
+      // Some more than there are: a node without a ball is never the first.
+      for (std::size_t k = 0; k < nodes + branches; ++k) {
         level.first.push_back(static_cast<std::uint32_t>(k * balls_below));
       }
     }
@@ -40,31 +42,44 @@ class EventHeap {
   /// The lowest ball whose appointment is at earliest().
   std::uint32_t first() const { return levels_.back().first.front(); }
 
+  /// Whether no other ball's appointment is at earliest().
+  bool first_is_alone() const {
+    std::size_t place = first();
+    std::uint64_t others = 0;
+    for (const Level& level : levels_) {
+      const std::uint64_t places = level.times[place / branches].places_at(earliest_s_);
+      others |= places & (places - 1);
+      place /= branches;
+    }
+    return others == 0;
+  }
+
   Real time_of(std::uint32_t ball) const {
     return levels_.front().times[ball / branches].at(ball % branches);
   }
 
   /// Gives a ball another time. Calls `rises(others, next)` for every ball that becomes the first
   /// of a node: it is one of `others` at that height, and its turn comes after no more than about
-  /// so many.
+  /// so many. Who comes first among the others of a node is known before the new time is, so that
+  /// of all that is done from the ball to the top little has to wait.
   template <class Rises>
   void set(std::uint32_t ball, Real time_s, const Rises& rises) {
     std::size_t place = ball;
+    std::uint32_t first = ball;
     const std::uint32_t* first_below = nullptr;
     for (Level& level : levels_) {
       const std::size_t node = place / branches;
       Times& times = level.times[node];
+      const auto [other_s, other] = times.least_but(place % branches);
       times.set(place % branches, time_s);
-      time_s = times.least();
-      const std::size_t least = node * branches + times.first_at(time_s);
-      const std::uint32_t first =
-          first_below == nullptr ? static_cast<std::uint32_t>(least) : first_below[least];
-      const std::uint32_t before = level.first[node];
-      if (first != before) {
-        level.first[node] = first;
-        rises(level.first.size(), first);
-      }
-      if (first != ball && before != ball) return;
+      const std::size_t other_place = node * branches + other;
+      const std::uint32_t other_first = first_below == nullptr
+                                            ? static_cast<std::uint32_t>(other_place)
+                                            : first_below[other_place];
+      const bool stays = (time_s < other_s) | ((time_s == other_s) & (place < other_place));
+      first = stays ? first : other_first;
+      time_s = smaller(time_s, other_s);
+      if (std::exchange(level.first[node], first) != first) rises(level.times.size(), first);
       first_below = level.first.data();
       place = node;
     }
@@ -93,12 +108,27 @@ class EventHeap {
     Real at(std::size_t i) const { return packs_[i / Many::size][i % Many::size]; }
     void set(std::size_t i, Real time_s) { packs_[i / Many::size].replace(i % Many::size, time_s); }
 
-    Real least() const {
-      Many least = packs_[0];
-      for (std::size_t k = 1; k < packs; ++k) least = smaller(least, packs_[k]);
+    struct Least {
+      Real time_s;
+      std::size_t place;
+    };
+    /// The least of all but that at `i`, and the lowest place that has it.
+    Least least_but(std::size_t i) const {
+      Many rest[packs];
+      Many least(never<Real>);
+      for (std::size_t k = 0; k < packs; ++k) {
+        rest[k] = packs_[k].but(i - k * Many::size);
+        least = smaller(least, rest[k]);
+      }
       Real time_s = least[0];
       for (std::size_t k = 1; k < Many::size; ++k) time_s = smaller(time_s, least[k]);
-      return time_s;
+      const Many now(time_s);
+      std::uint64_t places = 0;
+      for (std::size_t k = 0; k < packs; ++k) {
+        places |= not_above(rest[k], now) << k * Many::size;
+      }
+      return {time_s, static_cast<std::size_t>(
+                          std::countr_zero(places & ~(std::uint64_t{1} << i)))};
     }
 
     /// A bit for each that is at `time_s`, the least or before it.
@@ -109,10 +139,6 @@ class EventHeap {
         places |= not_above(packs_[k], now) << k * Many::size;
       }
       return places;
-    }
-
-    std::size_t first_at(Real time_s) const {
-      return static_cast<std::size_t>(std::countr_zero(places_at(time_s)));
     }
 
    private:

@@ -67,6 +67,16 @@ class Pack {
     }
   }
 
+  /// The same but for that at `i`, if there is one, which is not a number.
+  Pack but(std::size_t i) const {
+    if constexpr (size == 1) {
+      return i == 0 ? of(not_a_number) : *this;
+    } else {
+      const auto place = std::bit_cast<Integers>(lanes == static_cast<std::int32_t>(i));
+      return of(std::bit_cast<Native>(std::bit_cast<Integers>(numbers_) | place));
+    }
+  }
+
   friend Pack operator+(Pack a, Pack b) { return of(a.numbers_ + b.numbers_); }
   friend Pack operator-(Pack a, Pack b) { return of(a.numbers_ - b.numbers_); }
   friend Pack operator*(Pack a, Pack b) { return of(a.numbers_ * b.numbers_); }
