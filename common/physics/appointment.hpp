@@ -56,12 +56,15 @@ class OwnEvents {
  private:
   static constexpr std::size_t main_noses = 6;
 
-  /// Whether the ball of a path that only slows down certainly comes to no rail by `until_s`.
+  /// Whether the ball of a path certainly comes to no rail by `until_s`.
   bool stays_inside(const Path<Real>& path, Real until_s) const {
-    if (path.curved || !laws_.inside) return false;
+    if (!laws_.inside) return false;
     const BasicSegment<Real>& s = path.segment;
-    // A thousandth is for rounding, and what touches by rounding is not inside.
-    const Real reach = Real(1.001) * path.speed * (until_s - s.start_s);
+    const Real span = until_s - s.start_s;
+    const Real gained =
+        path.curved ? (magnitude(s.acceleration.x) + magnitude(s.acceleration.y)) * span / 2 : 0;
+    const Real reach = Real(never_farther) * (path.speed + gained) * span;
+    // What touches by rounding is not inside.
     const Real coordinate = larger(laws_.diameter, larger(laws_.inside->x, laws_.inside->y));
     return laws_.is_inside(s.position,
                            reach + touch_gap_bound(2 * coordinate, 2 * path.speed, s.start_s));

@@ -10,10 +10,10 @@ namespace breakshot::physics {
 template <class Real>
 struct Body : Moving<Real> {
   BallId id{};
+  std::uint32_t ball = 0;        ///< its number, in the order of ids
   std::uint32_t collisions = 0;  ///< of this shot so far: the counter of its random stream
   bool present = true;           ///< on the table
-  std::uint64_t instant = 0;     ///< for which the rest was last read from the path
-  std::uint64_t touched = 0;     ///< the last instant that changed the ball
+  bool touched = false;          ///< whether the instant changed the ball
   BasicVec2<Real> position;
 
   Moving<Real>& moving() { return *this; }

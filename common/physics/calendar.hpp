@@ -87,7 +87,7 @@ class TableCalendar {
     const Phase before = paths_[ball].segment.phase;
     moving_ = moving_ + !is_still(path.segment.phase) - !is_still(before);
     spinning_ = spinning_ + (path.segment.phase == Phase::spin) - (before == Phase::spin);
-    paths_[ball] = path;
+    copy_in_parts(path, paths_[ball]);
     field_.set(ball, path);
     ++versions_[ball];
     if (fresh_[ball] == Freshness::known) changed_.push_back(ball);

@@ -128,9 +128,16 @@ class CellCalendar {
     moving_ = moving_ + !is_still(after) - !is_still(before);
     spinning_ = spinning_ + (after == Phase::spin) - (before == Phase::spin);
     if (built_ && after == Phase::pocketed && before != Phase::pocketed) cells_.remove(ball);
-    paths_[ball] = path;
+    copy_in_parts(path, paths_[ball]);
     const BasicSegment<Real>& s = path.segment;
-    courses_[ball] = {s.start_s, s.position, s.velocity, s.acceleration, never<Real>};
+    Course<Real>& course = courses_[ball];
+    course.start_s = s.start_s;
+    course.position.x = s.position.x;
+    course.position.y = s.position.y;
+    course.velocity.x = s.velocity.x;
+    course.velocity.y = s.velocity.y;
+    course.acceleration.x = s.acceleration.x;
+    course.acceleration.y = s.acceleration.y;
     ++entries_[ball].paths;
     changed_.push_back(ball);
   }
@@ -228,7 +235,8 @@ class CellCalendar {
     for (const std::uint32_t ball : left_) {
       Entry& entry = entries_[ball];
       const Entry& caller = entries_[entry.with];
-      if (entry.turn != Turn::waits || (caller.turn == Turn::calls && caller.with == ball)) continue;
+      if (entry.turn != Turn::waits || (caller.turn == Turn::calls && caller.with == ball))
+        continue;
       entry.turn = Turn::own;
       schedule(ball);
     }

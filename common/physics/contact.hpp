@@ -10,7 +10,8 @@
 
 namespace breakshot::physics {
 
-/// Two things that touch: balls `a` < `b`, or ball `a` and cushion `b`, counting arcs after noses.
+/// Two things that touch: balls `a` and `b` by their places among the bodies, the lower id first;
+/// or ball `a` and cushion `b`, counting arcs after noses.
 template <class Real>
 struct Contact {
   std::uint32_t a = 0;

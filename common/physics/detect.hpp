@@ -180,6 +180,9 @@ Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter, Entry
   return t <= horizon ? e.start_s + t : never<Real>;
 }
 
+/// What slows down covers no more than its first speed does, but for rounding.
+inline constexpr double never_farther = 1.001;
+
 /// When the ball of a path next meets a nose, or never if that is not before `until_s`. The ball's
 /// surface meets the cushion: its centre meets the line a radius inward, within the cushion's
 /// extent.
@@ -192,8 +195,7 @@ Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, R
   const Real gap = dot(offset, nose.inward) - radius;
   const Real towards = -dot(s.velocity, nose.inward);
   const Real pull = -dot(s.acceleration, nose.inward);
-  // What slows down covers no more than its first speed does; a thousandth is for rounding.
-  if (pull <= 0 && Real(1.001) * towards * (until_s - s.start_s) < gap) return never<Real>;
+  if (pull <= 0 && Real(never_farther) * towards * (until_s - s.start_s) < gap) return never<Real>;
   // A straight path that only slows down does not come back.
   if (towards <= 0 && (pull <= 0 || !path.curved)) return never<Real>;
   const auto within = [&](Real t) {

@@ -127,8 +127,8 @@ class EventHeap {
       for (std::size_t k = 0; k < packs; ++k) {
         places |= not_above(rest[k], now) << k * Many::size;
       }
-      return {time_s, static_cast<std::size_t>(
-                          std::countr_zero(places & ~(std::uint64_t{1} << i)))};
+      return {time_s,
+              static_cast<std::size_t>(std::countr_zero(places & ~(std::uint64_t{1} << i)))};
     }
 
     /// A bit for each that is at `time_s`, the least or before it.

@@ -116,6 +116,8 @@ struct Laws {
            std::any_of(responses.begin(), responses.end(),
                        [](const NoseResponse<Real>& nose) { return nose.touch != Touch::smooth; });
   }
+  /// Whether normals are perturbed.
+  bool perturbs() const { return perturb_balls > 0 || perturb_cushions > 0; }
   /// The speed at which a resting contact separates; 0 if it never rests.
   Real hop_of(const Bounce<Real>& bounce) const {
     return bounce.restitution == 1 ? elastic_hop_m_s : bounce.elastic_below_m_s;

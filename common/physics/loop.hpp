@@ -9,6 +9,7 @@
 
 #include "common/physics/appointment.hpp"
 #include "common/physics/event.hpp"
+#include "common/physics/hand.hpp"
 #include "common/physics/resolve.hpp"
 #include "common/physics/simulate.hpp"
 #include "common/physics/touching.hpp"
@@ -30,7 +31,9 @@ class Loop {
       : laws_(scene, limits.physics),
         limits_(limits),
         calendar_(laws_, top_speed_of(state, strike), state.balls.size()),
-        contacts_(laws_, seed) {
+        contacts_(laws_, seed),
+        collisions_(laws_.perturbs() ? state.balls.size() : 0),
+        hand_(state.balls.size()) {
     place(state, strike);
   }
 
@@ -69,7 +72,7 @@ class Loop {
   std::variant<BasicShot<Real>, BasicStalled<Real>> take() && {
     if (progress_ != Progress::stalled) return std::move(shot_);
     std::vector<BallId> last;
-    for (const std::uint32_t ball : touched_) last.push_back(bodies_[ball].id);
+    for (const std::uint32_t ball : touched_) last.push_back(hand_.of(ball).id);
     return BasicStalled<Real>{cause_, std::move(last), std::move(shot_)};
   }
 
@@ -93,7 +96,6 @@ class Loop {
     std::sort(balls.begin(), balls.end(), [](const Ball& a, const Ball& b) { return a.id < b.id; });
     shot_.segments.reserve(8 * balls.size() + 64);
     shot_.events.reserve(256);
-    bodies_.reserve(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i) {
       Moving<Real> moving{vec_of<Real>(balls[i].velocity),
                           {Real(balls[i].spin.x), Real(balls[i].spin.y), Real(balls[i].spin.z)}};
@@ -103,9 +105,6 @@ class Loop {
       }
       const Path<Real> path =
           laws_.cloth.path_from(balls[i].id, Real(0), vec_of<Real>(balls[i].position), moving);
-      Body<Real> body;
-      body.id = balls[i].id;
-      bodies_.push_back(body);
       calendar_.set(static_cast<std::uint32_t>(i), path);
       shot_.segments.push_back(path.segment);
     }
@@ -123,16 +122,23 @@ class Loop {
     return {direction * speed, {follow.x, follow.y, -turning * Real(strike.tip.side)}};
   }
 
-  /// The ball as it is now.
-  Body<Real>& at_hand(std::uint32_t ball) {
-    Body<Real>& body = bodies_[ball];
-    if (body.instant != instant_) {
-      body.instant = instant_;
-      body.position = position_at(calendar_.path(ball).segment, now_s_);
-      body.velocity = velocity_at(calendar_.path(ball).segment, now_s_);
-      body.spin = spin_at(calendar_.path(ball).segment, now_s_);
-    }
-    return body;
+  /// The place among the bodies of a ball, as it is now.
+  std::uint32_t at_hand(std::uint32_t ball) {
+    if (!hand_.has(ball)) take_to_hand(ball);
+    return hand_.place_of(ball);
+  }
+
+  void take_to_hand(std::uint32_t ball) {
+    const BasicSegment<Real>& segment = calendar_.path(ball).segment;
+    Body<Real>& body = hand_.take(ball);
+    body.id = segment.ball;
+    body.ball = ball;
+    if (!collisions_.empty()) body.collisions = collisions_[ball];
+    body.present = segment.phase != Phase::pocketed;
+    body.touched = false;
+    body.position = position_at(segment, now_s_);
+    body.velocity = velocity_at(segment, now_s_);
+    if (laws_.cloth.spins()) body.spin = spin_at(segment, now_s_);
   }
 
   void finish(Real horizon) {
@@ -154,9 +160,9 @@ class Loop {
     calendar_.each_due(time_s, [this](std::uint32_t ball, const Appointment<Real>& appointment) {
       take_up(ball, appointment);
     });
-    const bool peace = contacts_.settle(bodies_, time_s, shot_.events,
+    const bool peace = contacts_.settle(hand_.bodies(), time_s, shot_.events,
                                         [this](std::uint32_t ball) { add_touching(ball); });
-    for (const std::uint32_t ball : contacts_.balls()) touch(ball);
+    for (const std::uint32_t place : contacts_.balls()) touch(place);
     drop_balls();
     end_instant();
     if (!peace || sets_here_ >= max_sets_at_an_instant) {
@@ -172,7 +178,7 @@ class Loop {
       first_segment_ = time_s == 0 ? 0 : shot_.segments.size();
     }
     now_s_ = time_s;
-    ++instant_;
+    hand_.clear();
     calendar_.move_to(time_s);
     contacts_.begin(again ? contacts_.next_pass() : 0);
     touched_.clear();
@@ -182,62 +188,62 @@ class Loop {
 
   /// An appointment has come.
   void take_up(std::uint32_t ball, const Appointment<Real>& appointment) {
-    at_hand(ball);
+    const std::uint32_t place = at_hand(ball);
     if (appointment.due == Due::ball) {
-      if (contacts_.has(ball, appointment.with)) return;
-      at_hand(appointment.with);
-      contacts_.add_balls(bodies_, ball, appointment.with, true);
+      const std::uint32_t other = at_hand(appointment.with);
+      if (!contacts_.has(place, other)) contacts_.add_balls(hand_.bodies(), place, other, true);
     } else if (appointment.due == Due::cushion) {
-      meet_cushion(ball, appointment.with, true);
+      meet_cushion(place, appointment.with, true);
     } else if (appointment.due == Due::hole) {
       const Drop<Real>& drop = laws_.drops[appointment.with];
       at_pockets_.push_back(
-          {ball, bodies_[ball].position - drop.centre.segment.position, drop.pocket});
-      touch(ball);
+          {place, hand_[place].position - drop.centre.segment.position, drop.pocket});
+      touch(place);
     } else {
-      end_phase(ball);
+      end_phase(place);
     }
   }
 
-  void end_phase(std::uint32_t ball) {
-    const Path<Real> path = laws_.cloth.path_after(calendar_.path(ball));
-    const BallId id = bodies_[ball].id;
-    bodies_[ball].velocity = path.segment.velocity;
-    bodies_[ball].spin = path.segment.spin;
-    ended_.push_back({ball, path});
+  void end_phase(std::uint32_t place) {
+    Body<Real>& body = hand_[place];
+    const Path<Real> path = laws_.cloth.path_after(calendar_.path(body.ball));
+    body.velocity = path.segment.velocity;
+    body.spin = path.segment.spin;
+    ended_.push_back({body.ball, path});
     if (path.segment.phase == Phase::rest) {
-      shot_.events.push_back(BasicRests<Real>{now_s_, id});
+      shot_.events.push_back(BasicRests<Real>{now_s_, body.id});
     } else if (path.segment.phase == Phase::spin) {
-      shot_.events.push_back(BasicSpins<Real>{now_s_, id});
+      shot_.events.push_back(BasicSpins<Real>{now_s_, body.id});
     } else {
-      shot_.events.push_back(BasicRolls<Real>{now_s_, id});
+      shot_.events.push_back(BasicRolls<Real>{now_s_, body.id});
     }
-    touch(ball);
+    touch(place);
   }
 
   /// `cushion` counts the arcs after the noses.
-  void meet_cushion(std::uint32_t ball, std::uint32_t cushion, bool predicted) {
-    const auto pocket = laws_.pocket_at(cushion, bodies_[ball].position);
+  void meet_cushion(std::uint32_t place, std::uint32_t cushion, bool predicted) {
+    const auto pocket = laws_.pocket_at(cushion, hand_[place].position);
     if (pocket) {
-      at_pockets_.push_back({ball, laws_.noses[cushion].inward, *pocket});
-      touch(ball);
+      at_pockets_.push_back({place, laws_.noses[cushion].inward, *pocket});
+      touch(place);
     } else {
-      contacts_.add_cushion(bodies_, ball, cushion, predicted);
+      contacts_.add_cushion(hand_.bodies(), place, cushion, predicted);
     }
   }
 
   /// Adds all contacts of a ball that touch at this instant. Most gaps are far beyond the bound of
   /// any tolerance, and are not looked at twice.
-  void add_touching(std::uint32_t ball) {
-    const Body<Real>& body = bodies_[ball];
+  void add_touching(std::uint32_t place) {
+    const Body<Real>& body = hand_[place];
     const Real coordinate = larger(laws_.diameter, largest_coordinate(body.position));
     const Real doubt = touch_gap_bound(2 * coordinate, 2 * calendar_.top_speed(), now_s_);
     const Real reach = laws_.diameter + 2 * doubt;
     if (laws_.ball_ball) {
-      calendar_.each_near(ball, reach, [&](std::uint32_t other) {
-        if (contacts_.has(ball, other) || !bodies_[other].present) return;
-        if (balls_touch(body, at_hand(other), laws_.diameter, now_s_)) {
-          contacts_.add_balls(bodies_, ball, other, false);
+      calendar_.each_near(body.ball, reach, [&](std::uint32_t ball) {
+        const std::uint32_t other = at_hand(ball);
+        if (contacts_.has(place, other) || !hand_[other].present) return;
+        if (balls_touch(body, hand_[other], laws_.diameter, now_s_)) {
+          contacts_.add_balls(hand_.bodies(), place, other, false);
         }
       });
     }
@@ -247,11 +253,11 @@ class Loop {
       const Real gap = dot(body.position - nose.from, nose.inward) - laws_.radius;
       if (gap <= doubt &&
           nose_touches(body, nose, gap, laws_.radius, calendar_.top_speed(), now_s_))
-        meet_cushion(ball, cushion, false);
+        meet_cushion(place, cushion, false);
       ++cushion;
     }
     for (const Arc<Real>& arc : laws_.arcs) {
-      if (arc_touches(body, arc, now_s_)) meet_cushion(ball, cushion, false);
+      if (arc_touches(body, arc, now_s_)) meet_cushion(place, cushion, false);
       ++cushion;
     }
   }
@@ -260,18 +266,17 @@ class Loop {
   void drop_balls() {
     const std::uint32_t pass = contacts_.next_pass() > 0 ? contacts_.next_pass() - 1 : 0;
     for (const AtPocket& at : at_pockets_) {
-      const bool out = dot(bodies_[at.ball].velocity, at.inward) < 0;
-      if (!bodies_[at.ball].present || !out) continue;
-      shot_.events.push_back(BasicBallPocket<Real>{now_s_, pass, bodies_[at.ball].id, at.pocket});
-      bodies_[at.ball].moving() = {};
-      bodies_[at.ball].present = false;
+      Body<Real>& body = hand_[at.place];
+      const bool out = dot(body.velocity, at.inward) < 0;
+      if (!body.present || !out) continue;
+      shot_.events.push_back(BasicBallPocket<Real>{now_s_, pass, body.id, at.pocket});
+      body.moving() = {};
+      body.present = false;
     }
   }
 
-  void touch(std::uint32_t ball) {
-    if (bodies_[ball].touched == instant_) return;
-    bodies_[ball].touched = instant_;
-    touched_.push_back(ball);
+  void touch(std::uint32_t place) {
+    if (!std::exchange(hand_[place].touched, true)) touched_.push_back(hand_[place].ball);
   }
 
   /// Gives every ball of the instant its new path and puts events and segments in order.
@@ -279,11 +284,12 @@ class Loop {
     const std::size_t written = shot_.segments.size();
     std::sort(touched_.begin(), touched_.end());
     for (const std::uint32_t ball : touched_) {
-      const Path<Real> path = path_of(ball);
-      calendar_.set(ball, path);
-      write(path.segment, written);
+      const Body<Real>& body = hand_.of(ball);
+      if (!collisions_.empty()) collisions_[ball] = body.collisions;
+      calendar_.set(ball, path_of(body));
     }
     calendar_.update();
+    for (const std::uint32_t ball : touched_) write(calendar_.path(ball).segment, written);
     std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_), shot_.events.end(),
               comes_before<Real>);
     if (written == first_segment_) return;
@@ -291,17 +297,16 @@ class Loop {
               shot_.segments.end(), [](const auto& a, const auto& b) { return a.ball < b.ball; });
   }
 
-  Path<Real> path_of(std::uint32_t ball) const {
-    const Body<Real>& body = bodies_[ball];
+  Path<Real> path_of(const Body<Real>& body) const {
     if (!body.present) {
       Path<Real> dropped;
       dropped.segment = {body.id, Phase::pocketed, now_s_, body.position, {}, {}, {}, {}};
       return dropped;
     }
     // They were taken up in ascending order.
-    const auto found = std::lower_bound(ended_.begin(), ended_.end(), ball,
+    const auto found = std::lower_bound(ended_.begin(), ended_.end(), body.ball,
                                         [](const auto& e, std::uint32_t b) { return e.first < b; });
-    if (found != ended_.end() && found->first == ball &&
+    if (found != ended_.end() && found->first == body.ball &&
         found->second.segment.velocity == body.velocity &&
         found->second.segment.spin == body.spin) {
       return found->second;
@@ -325,7 +330,7 @@ class Loop {
 
   /// A ball that is at a pocket: it drops unless it turns back.
   struct AtPocket {
-    std::uint32_t ball;
+    std::uint32_t place;
     Vec inward;  ///< back to the table, any length
     PocketId pocket;
   };
@@ -334,13 +339,13 @@ class Loop {
   Limits limits_;
   Calendar<Real> calendar_;
   ContactSet<Real> contacts_;
-  std::vector<Body<Real>> bodies_;
+  std::vector<std::uint32_t> collisions_;  ///< of each ball so far, where normals are perturbed
   BasicShot<Real> shot_;
   std::size_t forgotten_events_ = 0;
   Progress progress_ = Progress::paused;
   Real now_s_{};
-  std::uint64_t instant_ = 0;  ///< counts the sets
   // Of the present instant.
+  Hand<Real> hand_;
   std::uint32_t sets_here_ = 0;
   std::size_t first_event_ = 0;
   std::size_t first_segment_ = 0;

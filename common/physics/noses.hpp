@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "common/physics/detect.hpp"
@@ -43,9 +44,9 @@ class Noses {
   /// The first that the path meets, the lowest of several, as cushion_time() has it; or none if
   /// that is not before `until_s`, which is then its time.
   Meeting first(const Path<Real>& path, Real until_s) const {
-    if (path.curved) return one_by_one(path, until_s);
-    return path.segment.acceleration == BasicVec2<Real>{} ? in_packs<true>(path, until_s)
-                                                          : in_packs<false>(path, until_s);
+    if (path.curved) return first_one_by_one(path, until_s);
+    return path.segment.acceleration == BasicVec2<Real>{} ? first_of_straight<true>(path, until_s)
+                                                          : first_of_straight<false>(path, until_s);
   }
 
  private:
@@ -56,19 +57,44 @@ class Noses {
     Many extent;
   };
 
-  Meeting one_by_one(const Path<Real>& path, Real until_s) const {
+  /// A bit for each nose of a group, and more.
+  using Bits = std::uint64_t;
+  static constexpr Bits one_group = (Bits{1} << Many::size) - 1;
+
+  Meeting first_one_by_one(const Path<Real>& path, Real until_s) const {
+    const BasicSegment<Real>& s = path.segment;
+    const BasicVec2<Many> position = pack_of(s.position);
+    const BasicVec2<Many> velocity = pack_of(s.velocity);
+    const BasicVec2<Many> acceleration = pack_of(s.acceleration);
+    const Many zero{};
+    // How far a ball is, but for rounding, that touches.
+    const Many touch(radius_ + touch_gap_bound(larger(radius_, largest_coordinate(s.position)),
+                                               path.speed, s.start_s));
+    const Many span(until_s - s.start_s);
+    const Many half(Real(1) / 2);
     Meeting first{until_s, 0};
-    for (std::uint32_t i = 0; i < count_; ++i) {
-      const Real t = cushion_time(path, noses_[i], radius_, top_speed_, first.time_s);
-      if (t < first.time_s) first = {t, i};
+    std::uint32_t begin = 0;
+    for (const Group& group : groups_) {
+      const Many towards = larger(zero - dot(velocity, group.inward), zero);
+      const Many pull = larger(zero - dot(acceleration, group.inward), zero);
+      const Many reach = (towards + pull * span * half) * span * Many(Real(never_farther));
+      const Many distance = dot(position - group.from, group.inward);
+      for (Bits near = not_above(distance, reach + touch) & one_group; near != 0;
+           near &= near - 1) {
+        const std::uint32_t i = begin + static_cast<std::uint32_t>(std::countr_zero(near));
+        if (i >= count_) break;
+        const Real t = cushion_time(path, noses_[i], radius_, top_speed_, first.time_s);
+        if (t < first.time_s) first = {t, i};
+      }
+      begin += Many::size;
     }
     return first;
   }
 
-  /// Of paths that do not turn back; `even`: nor slow down. The same operations as in
-  /// cushion_time(), or such as give the same bits.
+  /// Of straight paths that do not turn back, nor slow down if they are `even`: all at once, by the
+  /// operations of cushion_time() or such as give the same bits.
   template <bool even>
-  Meeting in_packs(const Path<Real>& path, Real until_s) const {
+  Meeting first_of_straight(const Path<Real>& path, Real until_s) const {
     const BasicSegment<Real>& s = path.segment;
     const BasicVec2<Many> position = pack_of(s.position);
     const BasicVec2<Many> velocity = pack_of(s.velocity);
@@ -77,42 +103,44 @@ class Noses {
     const Many radius(radius_);
     const Many start(s.start_s);
     const Many end(path.end_s);
+    const Many span(Real(never_farther) * (until_s - s.start_s));
     const Many touch(
         touch_gap_bound(larger(radius_, largest_coordinate(s.position)), path.speed, s.start_s));
     const Many slow(slow_below<Real>);
     Many least(until_s);
     Many group_of_least{};
     Many number{};
-    std::uint64_t delicate = 0;
+    Bits delicate = 0;
     for (const Group& group : groups_) {
+      const Many own_number = number;
+      number = number + Many(Real(1));
       const Many gap = dot(position - group.from, group.inward) - radius;
       const Many towards = zero - dot(velocity, group.inward);
-      const std::uint64_t comes = ~not_above(towards, zero);
+      const Bits comes = ~not_above(towards, zero) & one_group;
+      // What slows down mostly stops before it comes to a nose.
+      if (!even && (comes & not_above(gap, towards * span)) == 0) continue;
       delicate |= comes & (not_above(gap, touch) | not_above(towards, slow));
-      Many t;
-      Many time;
-      BasicVec2<Many> way;
-      if constexpr (even) {
-        t = gap / towards;
-        way = velocity * t;
-        time = start + t;
-      } else {
-        const Many pull = zero - dot(acceleration, group.inward);
-        const Many square = towards * towards + (pull + pull) * gap;
-        t = (gap + gap) / (towards + root(square));
-        way = (velocity + acceleration * (t * Many(Real(1) / 2))) * t;
-        time = where_above(start + t, square, zero);
-      }
+      const auto [time, way] = [&]() -> std::pair<Many, BasicVec2<Many>> {
+        if constexpr (even) {
+          const Many t = gap / towards;
+          return {start + t, velocity * t};
+        } else {
+          const Many pull = zero - dot(acceleration, group.inward);
+          const Many square = towards * towards + (pull + pull) * gap;
+          const Many t = (gap + gap) / (towards + root(square));
+          return {where_above(start + t, square, zero),
+                  (velocity + acceleration * (t * Many(Real(1) / 2))) * t};
+        }
+      }();
       const Many foot = dot(position + way - group.from, group.along);
-      time = where_above(time, towards, zero);
-      time = where_not_above(time, time, end);
-      time = where_not_above(time, zero, foot);
-      time = where_not_above(time, foot, group.extent);
-      group_of_least = chosen(time, least, number, group_of_least);
-      least = smaller(least, time);
-      number = number + Many(Real(1));
+      Many met = where_above(time, towards, zero);
+      met = where_not_above(met, met, end);
+      met = where_not_above(met, zero, foot);
+      met = where_not_above(met, foot, group.extent);
+      group_of_least = chosen(met, least, own_number, group_of_least);
+      least = smaller(least, met);
     }
-    if ((delicate & one_group) != 0) return one_by_one(path, until_s);
+    if (delicate != 0) return first_one_by_one(path, until_s);
     return least_of(least, group_of_least, until_s);
   }
 
@@ -129,8 +157,6 @@ class Noses {
     while ((places &= places - 1) != 0) first.nose = std::min(first.nose, nose());
     return first;
   }
-
-  static constexpr std::uint64_t one_group = (std::uint64_t{1} << Many::size) - 1;
 
   const std::vector<Nose<Real>>& noses_;
   std::vector<Group> groups_;

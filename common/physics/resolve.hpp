@@ -41,14 +41,15 @@ class ContactSet {
   /// Whether the contact of two balls is known already.
   bool has(std::uint32_t a, std::uint32_t b) const {
     for (const Contact<Real>& known : contacts_) {
-      if (!known.cushion && known.a == smaller(a, b) && known.b == larger(a, b)) return true;
+      if (known.cushion) continue;
+      if ((known.a == a && known.b == b) || (known.a == b && known.b == a)) return true;
     }
     return false;
   }
 
   void add_balls(const std::vector<Body<Real>>& bodies, std::uint32_t a, std::uint32_t b,
                  bool predicted) {
-    if (a > b) std::swap(a, b);
+    if (bodies[a].id > bodies[b].id) std::swap(a, b);
     const Vec between = bodies[b].position - bodies[a].position;
     add({a, b, false, predicted, between / length(between),
          bodies[a].position + bodies[b].position});

@@ -1,0 +1,49 @@
+// The balls that one instant needs, as they are then. However many balls there are, only these are
+// looked at, one beside the other.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/physics/body.hpp"
+
+namespace breakshot::physics {
+
+template <class Real>
+class Hand {
+ public:
+  /// No more than `balls` will be at hand; a Body stays where it is until clear().
+  explicit Hand(std::size_t balls) : taken_(balls) { bodies_.reserve(balls); }
+
+  void clear() { first_ = next_; }
+
+  bool has(std::uint32_t ball) const { return taken_[ball] >= first_; }
+  /// Where among the bodies a ball is that is at hand.
+  std::uint32_t place_of(std::uint32_t ball) const {
+    return static_cast<std::uint32_t>(taken_[ball] - first_);
+  }
+
+  /// Takes one more ball to hand, whose body the caller is to fill.
+  Body<Real>& take(std::uint32_t ball) {
+    const auto body = bodies_.begin() + static_cast<std::ptrdiff_t>(next_ - first_);
+    taken_[ball] = next_++;
+    if (body == bodies_.end()) grow();
+    return *body;
+  }
+
+  /// In the order in which they were taken; what comes after them is of earlier instants.
+  std::vector<Body<Real>>& bodies() { return bodies_; }
+  Body<Real>& operator[](std::uint32_t place) { return bodies_[place]; }
+  const Body<Real>& of(std::uint32_t ball) const { return bodies_[place_of(ball)]; }
+
+ private:
+  [[gnu::noinline]] void grow() { bodies_.emplace_back(); }
+
+  std::vector<Body<Real>> bodies_;
+  std::vector<std::uint64_t> taken_;  ///< the count of all that were ever taken, when a ball was
+  std::uint64_t next_ = 1;            ///< that count
+  std::uint64_t first_ = 1;           ///< that count at the last clear()
+};
+
+}  // namespace breakshot::physics
