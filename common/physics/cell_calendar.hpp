@@ -285,6 +285,7 @@ class CellCalendar {
       fetch_own(with);
       fetch_path(with);
     } else if (others > 1) {
+      if (entries_[ball].due == Due::ball) cells_.fetch_beside(entries_[ball].with);
       cells_.find_beside(ball, found_to_fetch_);
       for (const std::uint32_t other : found_to_fetch_) __builtin_prefetch(&courses_[other]);
     }
@@ -358,14 +359,20 @@ class CellCalendar {
     screen(ball, first);
     for (const std::uint32_t other : likely_) {
       if (other == ball || other == met) continue;
-      const Real t = detector_.time(paths_[std::min(ball, other)], paths_[std::max(ball, other)],
-                                    smaller(first, courses_[other].until_s));
+      const Real t = meeting_time(std::min(ball, other), std::max(ball, other),
+                                  smaller(first, courses_[other].until_s));
       if (t > first || t > courses_[other].until_s || t == never<Real>) continue;
       if (t < first) partners_.clear();
       first = t;
       partners_.push_back(other);
     }
     return first;
+  }
+
+  Real meeting_time(std::uint32_t lower, std::uint32_t higher, Real until_s) const {
+    return straight_
+               ? detector_.time(even_mover(courses_[lower]), even_mover(courses_[higher]), until_s)
+               : detector_.time(paths_[lower], paths_[higher], until_s);
   }
 
   /// Leaves in likely_ those of found_ that `ball` may meet before `until_s` and their own next

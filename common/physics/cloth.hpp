@@ -58,6 +58,12 @@ void copy_in_parts(const Path<Real>& from, Path<Real>& to) {
   to.curved = from.curved;
 }
 
+/// Whether the ball of a path does not change its place.
+template <class Real>
+bool stays(const Path<Real>& path) {
+  return is_still(path.segment.phase);
+}
+
 template <class Real>
 class Cloth {
  public:

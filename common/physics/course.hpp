@@ -30,4 +30,23 @@ BasicVec2<Real> velocity_at(const Course<Real>& m, Real time_s) {
   return {m.velocity.x + m.acceleration.x * dt, m.velocity.y + m.acceleration.y * dt};
 }
 
+/// The path of a ball that never slows down, as contact_time() asks for it: its course says all.
+template <class Real>
+struct EvenMover {
+  const Course<Real>& segment;
+  Real speed;
+  Real end_s = never<Real>;
+  bool curved = false;
+};
+
+template <class Real>
+EvenMover<Real> even_mover(const Course<Real>& course) {
+  return {course, length(course.velocity)};
+}
+
+template <class Real>
+bool stays(const EvenMover<Real>& mover) {
+  return mover.speed == 0;
+}
+
 }  // namespace breakshot::physics

@@ -68,8 +68,8 @@ struct Encounter {
   Real end_s{};  ///< of the earlier phase
 };
 
-template <class Real>
-Encounter<Real> encounter(const Path<Real>& a, const Path<Real>& b) {
+template <class Real, class Mover>
+Encounter<Real> encounter(const Mover& a, const Mover& b) {
   Encounter<Real> e;
   e.start_s = larger(a.segment.start_s, b.segment.start_s);
   e.first = position_at(a.segment, e.start_s);
@@ -131,11 +131,11 @@ bool only_approaches(const Relative<Real>& motion, Real distance, Real span, boo
 /// When the balls of two paths next meet: the first event after both have started, within both
 /// phases, or never. Touching and approaching is at once. Of what is certainly after `until_s`
 /// nothing is said; else that makes no difference.
-template <class Real>
-Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter, EntryFinder finder,
+template <class Real, class Mover>
+Real contact_time(const Mover& a, const Mover& b, Real diameter, EntryFinder finder,
                   Real until_s = never<Real>) {
   using std::sqrt;
-  const Encounter<Real> e = encounter(a, b);
+  const Encounter<Real> e = encounter<Real>(a, b);
   const Relative<Real>& relative = e.relative;
   const Real horizon = e.end_s - e.start_s;
   const Real distance = length(relative.position);
@@ -143,7 +143,7 @@ Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter, Entry
       larger(diameter, larger(largest_coordinate(e.first), largest_coordinate(e.second)));
   const Real gap = distance - diameter;
   const Real speeds = magnitude(relative.velocity.x) + magnitude(relative.velocity.y);
-  const bool one_stays = is_still(a.segment.phase) || is_still(b.segment.phase);
+  const bool one_stays = stays(a) || stays(b);
   const bool slowing = one_stays && !a.curved && !b.curved;
   const bool straight = slowing || relative.acceleration == BasicVec2<Real>{};
   if (gap <= touch_gap_bound(coordinate, speeds, e.start_s) &&
@@ -171,7 +171,7 @@ Real contact_time(const Path<Real>& a, const Path<Real>& b, Real diameter, Entry
   if (slowing) {
     // Along a straight decelerating path, t at constant velocity is a distance. The whole stop,
     // at speed / deceleration, covers half of what constant velocity would.
-    const Path<Real>& mover = is_still(a.segment.phase) ? b : a;
+    const Mover& mover = stays(a) ? b : a;
     const Real deceleration = length(mover.segment.acceleration);
     const Real left = 1 - 2 * (deceleration / speed) * t;
     if (!(left > 0)) return never<Real>;

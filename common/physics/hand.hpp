@@ -2,6 +2,7 @@
 // looked at, one beside the other.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -16,17 +17,20 @@ class Hand {
   /// No more than `balls` will be at hand; a Body stays where it is until clear().
   explicit Hand(std::size_t balls) : taken_(balls) { bodies_.reserve(balls); }
 
-  void clear() { first_ = next_; }
+  void clear() {
+    first_ = next_;
+    if (next_ < last_count) return;
+    std::fill(taken_.begin(), taken_.end(), 0);
+    first_ = next_ = 1;
+  }
 
   bool has(std::uint32_t ball) const { return taken_[ball] >= first_; }
   /// Where among the bodies a ball is that is at hand.
-  std::uint32_t place_of(std::uint32_t ball) const {
-    return static_cast<std::uint32_t>(taken_[ball] - first_);
-  }
+  std::uint32_t place_of(std::uint32_t ball) const { return taken_[ball] - first_; }
 
   /// Takes one more ball to hand, whose body the caller is to fill.
   Body<Real>& take(std::uint32_t ball) {
-    const auto body = bodies_.begin() + static_cast<std::ptrdiff_t>(next_ - first_);
+    const auto body = bodies_.begin() + (next_ - first_);
     taken_[ball] = next_++;
     if (body == bodies_.end()) grow();
     return *body;
@@ -38,12 +42,15 @@ class Hand {
   const Body<Real>& of(std::uint32_t ball) const { return bodies_[place_of(ball)]; }
 
  private:
+  /// Counting begins anew in good time before it would overflow.
+  static constexpr std::uint32_t last_count = std::uint32_t{1} << 31;
+
   [[gnu::noinline]] void grow() { bodies_.emplace_back(); }
 
   std::vector<Body<Real>> bodies_;
-  std::vector<std::uint64_t> taken_;  ///< the count of all that were ever taken, when a ball was
-  std::uint64_t next_ = 1;            ///< that count
-  std::uint64_t first_ = 1;           ///< that count at the last clear()
+  std::vector<std::uint32_t> taken_;  ///< the count of all that were taken, when a ball last was
+  std::uint32_t next_ = 1;            ///< that count
+  std::uint32_t first_ = 1;           ///< that count at the last clear()
 };
 
 }  // namespace breakshot::physics

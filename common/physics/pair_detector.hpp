@@ -58,7 +58,8 @@ class PairDetector {
   }
 
   /// When the balls of two paths next meet, or never if that is after `until_s`.
-  Real time(const Path<Real>& a, const Path<Real>& b, Real until_s = never<Real>) const {
+  template <class Mover>
+  Real time(const Mover& a, const Mover& b, Real until_s = never<Real>) const {
     return contact_time(a, b, diameter_, finder_, until_s);
   }
 
