@@ -18,7 +18,7 @@
 
 #include "common/physics/appointment.hpp"
 #include "common/physics/cells.hpp"
-#include "common/physics/course.hpp"
+#include "common/physics/courses.hpp"
 #include "common/physics/event_heap.hpp"
 
 namespace breakshot::physics {
@@ -35,7 +35,7 @@ class CellCalendar {
         cells_(balls, laws.diameter),
         heap_(balls),
         paths_(balls),
-        courses_(balls),
+        courses_(balls, detector_, straight_),
         entries_(balls) {}
 
   const Path<Real>& path(std::size_t ball) const { return paths_[ball]; }
@@ -105,16 +105,7 @@ class CellCalendar {
       std::iota(all, all + paths_.size(), 0u);
       found_.end_at(all + paths_.size());
     }
-    const Vec place = position_at(courses_[ball], now_s_);
-    std::uint32_t* end = likely_.begin_anew(found_.size());
-    std::uint32_t* const begin = end;
-    for (const std::uint32_t other : found_) {
-      const Vec d = position_at(courses_[other], now_s_) - place;
-      *end = other;
-      end += dot(d, d) <= reach * reach;
-    }
-    likely_.end_at(end);
-    if (end - begin > 2) std::sort(begin, end);
+    courses_.find_within(ball, reach, now_s_, found_, likely_);
     for (const std::uint32_t other : likely_) {
       if (other != ball) near(other);
     }
@@ -129,15 +120,7 @@ class CellCalendar {
     spinning_ = spinning_ + (after == Phase::spin) - (before == Phase::spin);
     if (built_ && after == Phase::pocketed && before != Phase::pocketed) cells_.remove(ball);
     copy_in_parts(path, paths_[ball]);
-    const BasicSegment<Real>& s = path.segment;
-    Course<Real>& course = courses_[ball];
-    course.start_s = s.start_s;
-    course.position.x = s.position.x;
-    course.position.y = s.position.y;
-    course.velocity.x = s.velocity.x;
-    course.velocity.y = s.velocity.y;
-    course.acceleration.x = s.acceleration.x;
-    course.acceleration.y = s.acceleration.y;
+    courses_.set(ball, path.segment);
     ++entries_[ball].paths;
     changed_.push_back(ball);
   }
@@ -224,7 +207,7 @@ class CellCalendar {
   void note(std::uint32_t ball, Real time_s, Due due, std::uint32_t with) {
     Entry& entry = entries_[ball];
     if (entry.turn == Turn::calls) left_.push_back(entry.with);
-    courses_[ball].until_s = time_s;
+    courses_.set_until(ball, time_s);
     entry.due = due;
     entry.with = with;
     entry.turn = Turn::own;
@@ -287,12 +270,12 @@ class CellCalendar {
     } else if (others > 1) {
       if (entries_[ball].due == Due::ball) cells_.fetch_beside(entries_[ball].with);
       cells_.find_beside(ball, found_to_fetch_);
-      for (const std::uint32_t other : found_to_fetch_) __builtin_prefetch(&courses_[other]);
+      for (const std::uint32_t other : found_to_fetch_) courses_.fetch(other);
     }
   }
   void fetch_own(std::uint32_t ball) const {
     __builtin_prefetch(&entries_[ball]);
-    __builtin_prefetch(&courses_[ball]);
+    courses_.fetch(ball);
     cells_.fetch_place(ball);
   }
   void fetch_path(std::uint32_t ball) const {
@@ -312,6 +295,7 @@ class CellCalendar {
     }
     cells_.find_ahead(ball, side, found_);
     agree_with_partners(ball, find_partners(ball, none));
+    give_back_turns();
     plan_crossing(ball);
     schedule(ball);
   }
@@ -348,6 +332,7 @@ class CellCalendar {
     const Real first = find_partners(ball, met);
     foresee(ball, first);
     if (!(courses_[ball].until_s < first)) agree_with_partners(ball, first);
+    give_back_turns();
   }
 
   /// Sets `partners_` to those of found_ that `ball` meets first, and gives the time; or to nobody
@@ -356,7 +341,7 @@ class CellCalendar {
   Real find_partners(std::uint32_t ball, std::uint32_t met) {
     Real first = smaller(courses_[ball].until_s, paths_[ball].end_s);
     partners_.clear();
-    screen(ball, first);
+    courses_.find_likely(ball, first, now_s_, found_, likely_);
     for (const std::uint32_t other : likely_) {
       if (other == ball || other == met) continue;
       const Real t = meeting_time(std::min(ball, other), std::max(ball, other),
@@ -375,35 +360,7 @@ class CellCalendar {
                : detector_.time(paths_[lower], paths_[higher], until_s);
   }
 
-  /// Leaves in likely_ those of found_ that `ball` may meet before `until_s` and their own next
-  /// event: all that it does, and few others. Without branches in the loops.
-  void screen(std::uint32_t ball, Real until_s) {
-    const Course<Real>& own = courses_[ball];
-    const Real last = smaller(until_s, now_s_ + Real(longest_span_s<Real>)) - now_s_;
-    const Vec p = position_at(own, now_s_);
-    const Vec v = velocity_at(own, now_s_);
-    std::uint32_t* end = likely_.begin_anew(found_.size());
-    if (straight_) {
-      for (const std::uint32_t other : found_) {
-        const Course<Real>& m = courses_[other];
-        const Vec d = m.position + m.velocity * (now_s_ - m.start_s) - p;
-        const Real span = smaller(m.until_s - now_s_, last);
-        *end = other;
-        end += !(detector_.separation(d, m.velocity - v, span) > 0);
-      }
-    } else {
-      for (const std::uint32_t other : found_) {
-        const Course<Real>& m = courses_[other];
-        const Vec d = position_at(m, now_s_) - p;
-        const Real span = smaller(m.until_s - now_s_, last);
-        *end = other;
-        end += !(detector_.separation(d, velocity_at(m, now_s_) - v,
-                                      m.acceleration - own.acceleration, span) > 0);
-      }
-    }
-    likely_.end_at(end);
-  }
-
+  /// give_back_turns() must follow.
   void agree_with_partners(std::uint32_t ball, Real time_s) {
     for (const std::uint32_t other : partners_) agree(ball, time_s, other);
     for (const std::uint32_t other : partners_) {
@@ -416,7 +373,6 @@ class CellCalendar {
         schedule(other);
       }
     }
-    give_back_turns();
   }
 
   /// Takes an appointment with `other` down if it is the next event of `ball`. give_back_turns()
@@ -437,7 +393,7 @@ class CellCalendar {
   Cells<Real> cells_;
   EventHeap<Real> heap_;
   std::vector<Path<Real>> paths_;
-  std::vector<Course<Real>> courses_;
+  Courses<Real> courses_;
   std::vector<Entry> entries_;
   Real now_s_{};
   bool built_ = false;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "common/physics/detect.hpp"
+#include "common/physics/gathered.hpp"
 
 namespace breakshot::physics {
 
@@ -23,25 +24,6 @@ template <class Real>
 struct Crossing {
   Real after_s = never<Real>;
   Side side = Side::right;
-};
-
-/// A list of balls that is made anew again and again, without a branch for each.
-class Gathered {
- public:
-  /// Empties the list and gives room for `most` balls.
-  std::uint32_t* begin_anew(std::size_t most) {
-    if (balls_.size() < most) balls_.resize(2 * most);
-    return balls_.data();
-  }
-  void end_at(const std::uint32_t* end) { end_ = end; }
-
-  const std::uint32_t* begin() const { return balls_.data(); }
-  const std::uint32_t* end() const { return end_; }
-  std::size_t size() const { return static_cast<std::size_t>(end() - begin()); }
-
- private:
-  std::vector<std::uint32_t> balls_;
-  const std::uint32_t* end_ = nullptr;
 };
 
 template <class Real>

@@ -33,26 +33,9 @@ struct Path {
   bool curved = false;       ///< or speeding up: not a straight path that only slows down
 };
 
-/// Copies a path number by number: so it was written a moment ago, and a processor that reads more
-/// at once would wait until all of it has come to memory.
 template <class Real>
 void copy_in_parts(const Path<Real>& from, Path<Real>& to) {
-  const BasicSegment<Real>& s = from.segment;
-  to.segment.ball = s.ball;
-  to.segment.phase = s.phase;
-  to.segment.start_s = s.start_s;
-  to.segment.position.x = s.position.x;
-  to.segment.position.y = s.position.y;
-  to.segment.velocity.x = s.velocity.x;
-  to.segment.velocity.y = s.velocity.y;
-  to.segment.acceleration.x = s.acceleration.x;
-  to.segment.acceleration.y = s.acceleration.y;
-  to.segment.spin.x = s.spin.x;
-  to.segment.spin.y = s.spin.y;
-  to.segment.spin.z = s.spin.z;
-  to.segment.spin_change.x = s.spin_change.x;
-  to.segment.spin_change.y = s.spin_change.y;
-  to.segment.spin_change.z = s.spin_change.z;
+  copy_in_parts(from.segment, to.segment);
   to.speed = from.speed;
   to.end_s = from.end_s;
   to.curved = from.curved;

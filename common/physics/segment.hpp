@@ -24,6 +24,31 @@ struct BasicSegment {
 
 using Segment = BasicSegment<double>;
 
+/// Copies number by number what was written so a moment ago: a processor that reads more at once
+/// waits until all of it has come to memory.
+template <class Real>
+void copy_in_parts(const BasicVec2<Real>& from, BasicVec2<Real>& to) {
+  to.x = from.x;
+  to.y = from.y;
+}
+template <class Real>
+void copy_in_parts(const BasicVec3<Real>& from, BasicVec3<Real>& to) {
+  to.x = from.x;
+  to.y = from.y;
+  to.z = from.z;
+}
+template <class Real>
+void copy_in_parts(const BasicSegment<Real>& from, BasicSegment<Real>& to) {
+  to.ball = from.ball;
+  to.phase = from.phase;
+  to.start_s = from.start_s;
+  copy_in_parts(from.position, to.position);
+  copy_in_parts(from.velocity, to.velocity);
+  copy_in_parts(from.acceleration, to.acceleration);
+  copy_in_parts(from.spin, to.spin);
+  copy_in_parts(from.spin_change, to.spin_change);
+}
+
 template <class Real>
 BasicVec2<Real> position_at(const BasicSegment<Real>& s, Real time_s) {
   const Real dt = time_s - s.start_s;

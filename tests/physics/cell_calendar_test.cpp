@@ -332,6 +332,7 @@ TEST(EventHeap, KnowsTheEarliestOfAll) {
       heap.each_earliest([&found](std::uint32_t k) { found.push_back(k); });
       ASSERT_EQ(found, expected);
       ASSERT_EQ(heap.first(), expected.front());
+      ASSERT_EQ(heap.first_is_alone(), expected.size() == 1);
     }
   }
 }
