@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -101,9 +100,7 @@ class CellCalendar {
       cells_.find_beside(ball, found_);
     } else {
       // Only where rounding is greater than a ball.
-      std::uint32_t* const all = found_.begin_anew(paths_.size());
-      std::iota(all, all + paths_.size(), 0u);
-      found_.end_at(all + paths_.size());
+      found_.gather_all(paths_.size());
     }
     courses_.find_within(ball, reach, now_s_, found_, likely_);
     for (const std::uint32_t other : likely_) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace breakshot::physics {
@@ -15,6 +16,12 @@ class Gathered {
     return balls_.data();
   }
   void end_at(const std::uint32_t* end) { end_ = end; }
+  /// Sets the list to all of `count` balls.
+  void gather_all(std::size_t count) {
+    std::uint32_t* const all = begin_anew(count);
+    std::iota(all, all + count, 0u);
+    end_at(all + count);
+  }
 
   const std::uint32_t* begin() const { return balls_.data(); }
   const std::uint32_t* end() const { return end_; }

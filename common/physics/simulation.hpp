@@ -12,11 +12,10 @@
 namespace breakshot::physics {
 
 /// Up to this many balls the table calendar is the faster one; the outcome has the same bits.
-/// Instructions an event of table and cells, gases of bench/gas_bench.cpp: 16 discs 4,800 and
-/// 6,000, 32 discs 6,200 and 6,600, 48 discs 7,700 and 6,700, while in time the two are equal at
-/// 60; breaks with the full model, set-up among them: 16 balls 5,400 and 8,500, 29 balls 5,700 and
-/// 7,600, 46 balls 6,400 and 6,900, and in time equal at 40.
-inline constexpr std::size_t most_balls_at_a_table = 44;
+/// Nanoseconds an event of table and cells: gases of bench/gas_bench.cpp, 16 discs 333 and 467,
+/// 32 discs 421 and 508, 48 discs 508 and 519, 64 discs 590 and 531; breaks with the full model,
+/// 16 balls 421 and 624, 29 balls 470 and 617, 46 balls 528 and 590, 56 balls 637 and 649.
+inline constexpr std::size_t most_balls_at_a_table = 52;
 
 template <class Real>
 class BasicSimulation {
