@@ -80,7 +80,7 @@ class Courses {
   void fetch(std::size_t ball) const { __builtin_prefetch(&courses_[ball]); }
 
   /// Sets `near` to those of `found` whose centres are within `reach` of that of `ball` at `now_s`,
-  /// ascending; itself among them.
+  /// itself among them; the others ascending.
   void find_within(std::uint32_t ball, Real reach, Real now_s, const Gathered& found,
                    Gathered& near) const {
     const Vec place = position_at(courses_[ball], now_s);

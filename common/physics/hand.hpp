@@ -30,10 +30,10 @@ class Hand {
 
   /// Takes one more ball to hand, whose body the caller is to fill.
   Body<Real>& take(std::uint32_t ball) {
-    const auto body = bodies_.begin() + (next_ - first_);
+    const std::uint32_t place = next_ - first_;
     taken_[ball] = next_++;
-    if (body == bodies_.end()) grow();
-    return *body;
+    if (bodies_.begin() + place == bodies_.end()) grow();
+    return bodies_[place];
   }
 
   /// In the order in which they were taken; what comes after them is of earlier instants.
