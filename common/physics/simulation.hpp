@@ -15,7 +15,7 @@ namespace breakshot::physics {
 /// Nanoseconds an event of table and cells: gases of bench/gas_bench.cpp, 16 discs 333 and 467,
 /// 32 discs 421 and 508, 48 discs 508 and 519, 64 discs 590 and 531; breaks with the full model,
 /// 16 balls 421 and 624, 29 balls 470 and 617, 46 balls 528 and 590, 56 balls 637 and 649.
-inline constexpr std::size_t most_balls_at_a_table = 52;
+inline constexpr std::size_t most_balls_at_a_table = 48;
 
 template <class Real>
 class BasicSimulation {
