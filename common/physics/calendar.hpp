@@ -65,6 +65,10 @@ class TableCalendar {
   /// given, ascending by the lowest ball that takes part.
   template <class OnDue>
   void each_due(Real /*time_s*/, const OnDue& due) {
+    if (is_one_meeting()) {
+      due(due_.front(), next_[due_.front()]);
+      return;
+    }
     if (due_.size() > 1) {
       std::sort(due_.begin(), due_.end(), [this](std::uint32_t a, std::uint32_t b) {
         return std::pair(lowest_of(a), a) < std::pair(lowest_of(b), b);
@@ -171,6 +175,15 @@ class TableCalendar {
       const Appointment<Real> back{meeting.time_s, Due::ball, ball};
       if (comes_first(back, next_[meeting.with])) meet_first(meeting.with, back);
     }
+  }
+
+  /// Whether all that is due is that two balls meet, as both of them have it.
+  bool is_one_meeting() const {
+    if (due_.size() != 2) return false;
+    const Appointment<Real>& first = next_[due_.front()];
+    const Appointment<Real>& second = next_[due_.back()];
+    return first.due == Due::ball && first.with == due_.back() && second.due == Due::ball &&
+           second.with == due_.front();
   }
 
   std::uint32_t lowest_of(std::uint32_t ball) const {

@@ -282,7 +282,9 @@ class Loop {
   /// Gives every ball of the instant its new path and puts events and segments in order.
   void end_instant() {
     const std::size_t written = shot_.segments.size();
-    std::sort(touched_.begin(), touched_.end());
+    if (!std::is_sorted(touched_.begin(), touched_.end())) {
+      std::sort(touched_.begin(), touched_.end());
+    }
     for (const std::uint32_t ball : touched_) {
       const Body<Real>& body = hand_.of(ball);
       if (!collisions_.empty()) collisions_[ball] = body.collisions;
@@ -290,8 +292,10 @@ class Loop {
     }
     calendar_.update();
     for (const std::uint32_t ball : touched_) write(calendar_.path(ball).segment, written);
-    std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_), shot_.events.end(),
-              comes_before<Real>);
+    if (shot_.events.size() > first_event_ + 1) {
+      std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_),
+                shot_.events.end(), comes_before<Real>);
+    }
     if (written == first_segment_) return;
     std::sort(shot_.segments.begin() + static_cast<std::ptrdiff_t>(first_segment_),
               shot_.segments.end(), [](const auto& a, const auto& b) { return a.ball < b.ball; });
