@@ -39,11 +39,13 @@ class OwnEvents {
         main_noses_(laws.noses, laws.walls.empty() ? 0 : main_noses, laws.radius, top_speed),
         noses_(laws.noses, laws.noses.size(), laws.radius, top_speed) {}
 
-  /// The next such event of a path; if there is none before `until_s`, nothing at that time.
+  /// The next such event of a path; of what comes after `until_s` nothing is said. Else that makes
+  /// no difference: what touches a nose is met at once, or not, whenever it is asked.
   Appointment<Real> next(const Path<Real>& path, Real until_s = never<Real>) const {
-    Appointment<Real> first{until_s, Due::nothing, 0};
-    if (path.end_s < until_s) first = {path.end_s, Due::phase_end, 0};
-    if (is_still(path.segment.phase) || stays_inside(path, first.time_s)) return first;
+    Appointment<Real> first;
+    if (path.end_s < never<Real>) first = {path.end_s, Due::phase_end, 0};
+    if (is_still(path.segment.phase)) return first;
+    if (stays_inside(path, smaller(until_s, first.time_s))) return first;
     if (!main_noses_.empty() && laws_.is_inside(path.segment.position)) {
       const Real leaves = walls_.first(path, first.time_s).time_s;
       if (leaves == first.time_s) return first;

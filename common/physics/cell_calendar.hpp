@@ -1,6 +1,6 @@
-// The cell calendar, for many balls: the next appointment of every ball in a heap, and cells of
-// which only the neighbours are looked at. What an event costs does not grow with the number of
-// balls, but for the height of the heap. (One event a ball, and stale ones known by a counter:
+// The cell calendar, for many balls: the turns of all balls in a heap, and cells of which only the
+// neighbours are looked at. What an event costs does not grow with the number of balls, but for the
+// height of the heap. (One event a ball, and stale ones known by a counter:
 // Bannerman, Sargant and Lue 2011, "DynamO".) Two kinds of appointment are its own affair and are
 // seen by nobody: a ball leaves its cell, and a ball finds that the one that it was to meet has
 // been diverted.
@@ -158,7 +158,8 @@ class CellCalendar {
   static constexpr std::size_t most_balls_at_hand = 4096;
 
   /// A meeting has one turn in the heap, that of the ball that `calls` the other, which `waits` for
-  /// it and is in the heap for its crossings alone: of two turns one would be for nothing.
+  /// it and is in the heap for its crossings alone: of two turns one would be for nothing. Until
+  /// its next crossing it may keep the time it had there, which is no earlier than the meeting.
   enum class Turn : std::uint8_t { own, calls, waits };
 
   /// The next event of a ball, at courses_[ball].until_s, and the next crossing.
@@ -214,9 +215,9 @@ class CellCalendar {
   void give_back_turns() {
     for (const std::uint32_t ball : left_) {
       Entry& entry = entries_[ball];
+      if (entry.turn != Turn::waits) continue;
       const Entry& caller = entries_[entry.with];
-      if (entry.turn != Turn::waits || (caller.turn == Turn::calls && caller.with == ball))
-        continue;
+      if (caller.turn == Turn::calls && caller.with == ball) continue;
       entry.turn = Turn::own;
       schedule(ball);
     }
@@ -225,9 +226,7 @@ class CellCalendar {
 
   /// Takes down what comes to the ball alone, if that is not after `until_s`.
   void foresee(std::uint32_t ball, Real until_s) {
-    using Range = std::numeric_limits<Real>;
-    const Real after = until_s * (1 + 2 * Range::epsilon()) + Range::min();
-    const Appointment<Real> own = own_events_.next(paths_[ball], after);
+    const Appointment<Real> own = own_events_.next(paths_[ball], until_s);
     if (own.due != Due::nothing && own.time_s <= until_s) {
       note(ball, own.time_s, own.due, own.with);
     }
@@ -400,7 +399,7 @@ class CellCalendar {
   std::size_t crossings_ = 0;  ///< since the cells were built
   std::size_t changes_ = 0;    ///< of paths, likewise
   std::vector<std::uint32_t> changed_;
-  std::vector<std::uint32_t> due_;  ///< at the earliest instant, ascending
+  std::vector<std::uint32_t> due_;  ///< with a turn at the earliest instant
   // Kept for their memory alone.
   std::vector<std::uint32_t> left_;  ///< that waited for a ball which has another event now
   Gathered found_;

@@ -143,9 +143,11 @@ class Cells {
       // Where a ball goes cannot be guessed: no branches.
       const Real in_x = leaves(x, v.x);
       const Real in_y = leaves(y, v.y);
-      const bool over_x = in_x < in_y;
-      const bool back = (over_x & (v.x < 0)) | (!over_x & (v.y < 0));
-      return {smaller(in_x, in_y), static_cast<Side>(2 * !over_x + back)};
+      const int over_y = !(in_x < in_y);
+      const int left = v.x < 0;
+      const int down = v.y < 0;
+      const int back = (left & (1 - over_y)) | (down & over_y);
+      return {smaller(in_x, in_y), static_cast<Side>(2 * over_y + back)};
     }
     Crossing<Real> first;
     leave(first, side_ + slack_ - x, v.x, a.x, Side::right);

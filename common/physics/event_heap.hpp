@@ -76,7 +76,10 @@ class EventHeap {
       const std::uint32_t other_first = first_below == nullptr
                                             ? static_cast<std::uint32_t>(other_place)
                                             : first_below[other_place];
-      const bool stays = (time_s < other_s) | ((time_s == other_s) & (place < other_place));
+      const int sooner = time_s < other_s;
+      const int at_once = time_s == other_s;
+      const int lower = place < other_place;
+      const bool stays = (sooner | (at_once & lower)) != 0;
       first = stays ? first : other_first;
       time_s = smaller(time_s, other_s);
       if (std::exchange(level.first[node], first) != first) rises(level.times.size(), first);

@@ -117,9 +117,9 @@ class Noses {
       const Many gap = dot(position - group.from, group.inward) - radius;
       const Many towards = zero - dot(velocity, group.inward);
       const Bits comes = ~not_above(towards, zero) & one_group;
+      delicate |= comes & (not_above(gap, touch) | not_above(towards, slow));
       // What slows down mostly stops before it comes to a nose.
       if (!even && (comes & not_above(gap, towards * span)) == 0) continue;
-      delicate |= comes & (not_above(gap, touch) | not_above(towards, slow));
       const auto [time, way] = [&]() -> std::pair<Many, BasicVec2<Many>> {
         if constexpr (even) {
           const Many t = gap / towards;

@@ -189,6 +189,21 @@ TEST(CellCalendar, GivesTheTablesShotAcrossFreeCushions) {
   }
 }
 
+TEST(CellCalendar, GivesTheTablesShotOfABallFrozenToACushionThatIsPushedAgainstIt) {
+  // The push leaves it an approach that rounding explains and that another meeting follows closely.
+  for (const Motion& motion : {Motion{Frictionless{}}, Motion{Straight{0.2, 0.01, 1.0}}}) {
+    Scene scene = table(motion, Mirror{}, Elastic{});
+    scene.ball.radius_m = 0.04;
+    scene.bed.length_m = 2;
+    scene.bed.width_m = 1;
+    double y = 0.46;
+    for (int ulps = 0; ulps < 5; ++ulps) y = std::nextafter(y, 0.0);
+    const State state = balls({ball(0, {-0.5, y}, {1, 0}), ball(1, {-0.3, std::nextafter(y, 1.0)}),
+                               ball(2, {-0.2, 0.42})});
+    EXPECT_GT(events_of_both(scene, state, std::nullopt, {}, until(1)), 2u);
+  }
+}
+
 TEST(CellCalendar, LeavesBallsAtRestAlone) {
   EXPECT_EQ(events_of_both(cloth(), block(40, 40, 0.05715)), 0u);
   EXPECT_EQ(events_of_both(gas(), block(3, 3, 0.1), std::nullopt, {}, until(1e12)), 0u);

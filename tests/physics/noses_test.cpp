@@ -100,6 +100,29 @@ TEST(Noses, GiveTheFirstThatAskingEachOfThemGives) {
   EXPECT_GT(met, 20'000u);
 }
 
+TEST(Noses, AreMetAlikeByBallsThatTouchThemAndMoveAlong) {
+  // On a slant rounding decides whether such a ball moves towards the nose, and whether it is
+  // pulled.
+  Chance chance(3);
+  std::size_t at_once = 0;
+  for (int round = 0; round < 100'000; ++round) {
+    const std::vector<Nose<double>> noses = noses_anywhere(chance, 3);
+    const Noses<double> packs(noses, noses.size(), radius, top_speed);
+    const Nose<double>& nose = noses[chance.below(3)];
+    const double gap = chance.between(-4, 8) * 0x1p-54;
+    const Path<double> path =
+        Cloth<double>(support::cloth())
+            .path_from(BallId{0}, 0,
+                       nose.from + nose.along * (nose.extent / 2) + nose.inward * (radius + gap),
+                       {nose.along * chance.between(0.1, 3), {}});
+    const double until = chance.coin() ? path.end_s : chance.between(0, 1);
+    const auto expected = one_by_one(noses, path, until);
+    ASSERT_EQ(packs.first(path, until).time_s, expected.time_s);
+    at_once += expected.time_s == 0;
+  }
+  EXPECT_GT(at_once, 100u);
+}
+
 TEST(Noses, AreOnlyAsManyAsAreAskedFor) {
   Chance chance(2);
   const std::vector<Nose<double>> noses = noses_anywhere(chance, 7);
