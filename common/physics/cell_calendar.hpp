@@ -18,6 +18,7 @@
 #include "common/physics/appointment.hpp"
 #include "common/physics/cells.hpp"
 #include "common/physics/courses.hpp"
+#include "common/physics/entry.hpp"
 #include "common/physics/event_heap.hpp"
 
 namespace breakshot::physics {
@@ -157,24 +158,8 @@ class CellCalendar {
   /// What is kept of fewer balls stays in a processor's own caches.
   static constexpr std::size_t most_balls_at_hand = 4096;
 
-  /// A meeting has one turn in the heap, that of the ball that `calls` the other, which `waits` for
-  /// it and is in the heap for its crossings alone: of two turns one would be for nothing. Until
-  /// its next crossing it may keep the time it had there, which is no earlier than the meeting.
-  enum class Turn : std::uint8_t { own, calls, waits };
-
-  /// The next event of a ball, at courses_[ball].until_s, and the next crossing.
-  struct Entry {
-    Real crossing_s = never<Real>;
-    std::uint32_t with = 0;
-    std::uint32_t paths_of_other = 0;  ///< of `with`, when the appointment was made
-    std::uint32_t paths = 0;           ///< how many the ball has had
-    Due due = Due::nothing;
-    Side side = Side::right;
-    Turn turn = Turn::own;
-  };
-
   std::uint32_t lowest_of(std::uint32_t ball) const {
-    const Entry& entry = entries_[ball];
+    const Entry<Real>& entry = entries_[ball];
     return entry.due == Due::ball ? std::min(ball, entry.with) : ball;
   }
 
@@ -182,7 +167,7 @@ class CellCalendar {
     return entries_[ball].crossing_s <= courses_[ball].until_s;
   }
   bool is_internal(std::uint32_t ball) const {
-    const Entry& entry = entries_[ball];
+    const Entry<Real>& entry = entries_[ball];
     return crosses(ball) ||
            (entry.due == Due::ball && entries_[entry.with].paths != entry.paths_of_other);
   }
@@ -203,7 +188,7 @@ class CellCalendar {
 
   /// Takes another next event of a ball down. give_back_turns() must follow.
   void note(std::uint32_t ball, Real time_s, Due due, std::uint32_t with) {
-    Entry& entry = entries_[ball];
+    Entry<Real>& entry = entries_[ball];
     if (entry.turn == Turn::calls) left_.push_back(entry.with);
     courses_.set_until(ball, time_s);
     entry.due = due;
@@ -214,9 +199,9 @@ class CellCalendar {
   /// Those whose meeting was called by a ball that has another event now have their own turn again.
   void give_back_turns() {
     for (const std::uint32_t ball : left_) {
-      Entry& entry = entries_[ball];
+      Entry<Real>& entry = entries_[ball];
       if (entry.turn != Turn::waits) continue;
-      const Entry& caller = entries_[entry.with];
+      const Entry<Real>& caller = entries_[entry.with];
       if (caller.turn == Turn::calls && caller.with == ball) continue;
       entry.turn = Turn::own;
       schedule(ball);
@@ -233,7 +218,7 @@ class CellCalendar {
   }
 
   void schedule(std::uint32_t ball) {
-    const Entry& entry = entries_[ball];
+    const Entry<Real>& entry = entries_[ball];
     const Real time_s = entry.turn == Turn::waits
                             ? entry.crossing_s
                             : smaller(courses_[ball].until_s, entry.crossing_s);
@@ -361,7 +346,7 @@ class CellCalendar {
     for (const std::uint32_t other : partners_) agree(ball, time_s, other);
     for (const std::uint32_t other : partners_) {
       if (!agree(other, time_s, ball)) continue;
-      Entry& own = entries_[ball];
+      Entry<Real>& own = entries_[ball];
       if (own.due == Due::ball && own.with == other) {
         own.turn = Turn::calls;
         entries_[other].turn = Turn::waits;
@@ -390,7 +375,7 @@ class CellCalendar {
   EventHeap<Real> heap_;
   std::vector<Path<Real>> paths_;
   Courses<Real> courses_;
-  std::vector<Entry> entries_;
+  std::vector<Entry<Real>> entries_;
   Real now_s_{};
   bool built_ = false;
   bool fetches_ = false;

@@ -183,9 +183,9 @@ Real contact_time(const Mover& a, const Mover& b, Real diameter, EntryFinder fin
 /// What slows down covers no more than its first speed does, but for rounding.
 inline constexpr double never_farther = 1.001;
 
-/// When the ball of a path next meets a nose, or never if that is not before `until_s`: of a ball
-/// that touches, if it would not be on its own by then. The ball's surface meets the cushion: its
-/// centre meets the line a radius inward, within the cushion's extent.
+/// When the ball of a path next meets a nose, or never if that is not before `until_s`; never too
+/// if it touches, a gap apart that its speed would not close by then. The ball's surface meets the
+/// cushion: its centre meets the line a radius inward, within the cushion's extent.
 template <class Real>
 Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, Real top_speed,
                   Real until_s) {

@@ -14,12 +14,16 @@ namespace breakshot::physics {
 template <class Real>
 class Hand {
  public:
-  /// No more than `balls` will be at hand; a Body stays where it is until clear().
-  explicit Hand(std::size_t balls) : taken_(balls) { bodies_.reserve(balls); }
+  /// No more than `balls` will be at hand; a Body stays where it is until clear(). Balls that are
+  /// taken are counted, from `last_count` on anew: in good time before the count would overflow.
+  explicit Hand(std::size_t balls, std::uint32_t last_count = std::uint32_t{1} << 31)
+      : last_count_(last_count), taken_(balls) {
+    bodies_.reserve(balls);
+  }
 
   void clear() {
     first_ = next_;
-    if (next_ < last_count) return;
+    if (next_ < last_count_) return;
     std::fill(taken_.begin(), taken_.end(), 0);
     first_ = next_ = 1;
   }
@@ -42,11 +46,9 @@ class Hand {
   const Body<Real>& of(std::uint32_t ball) const { return bodies_[place_of(ball)]; }
 
  private:
-  /// Counting begins anew in good time before it would overflow.
-  static constexpr std::uint32_t last_count = std::uint32_t{1} << 31;
-
   [[gnu::noinline]] void grow() { bodies_.emplace_back(); }
 
+  std::uint32_t last_count_;
   std::vector<Body<Real>> bodies_;
   std::vector<std::uint32_t> taken_;  ///< the count of all that were taken, when a ball last was
   std::uint32_t next_ = 1;            ///< that count

@@ -57,15 +57,22 @@ class Noses {
     Many extent;
   };
 
+  /// The start of a path, beside a whole group of noses.
+  struct Start {
+    explicit Start(const BasicSegment<Real>& s)
+        : position(pack_of(s.position)),
+          velocity(pack_of(s.velocity)),
+          acceleration(pack_of(s.acceleration)) {}
+    BasicVec2<Many> position, velocity, acceleration;
+  };
+
   /// A bit for each nose of a group, and more.
   using Bits = std::uint64_t;
   static constexpr Bits one_group = (Bits{1} << Many::size) - 1;
 
   Meeting first_one_by_one(const Path<Real>& path, Real until_s) const {
     const BasicSegment<Real>& s = path.segment;
-    const BasicVec2<Many> position = pack_of(s.position);
-    const BasicVec2<Many> velocity = pack_of(s.velocity);
-    const BasicVec2<Many> acceleration = pack_of(s.acceleration);
+    const Start at(s);
     const Many zero{};
     // How far a ball is, but for rounding, that touches.
     const Many touch(radius_ + touch_gap_bound(larger(radius_, largest_coordinate(s.position)),
@@ -75,10 +82,10 @@ class Noses {
     Meeting first{until_s, 0};
     std::uint32_t begin = 0;
     for (const Group& group : groups_) {
-      const Many towards = larger(zero - dot(velocity, group.inward), zero);
-      const Many pull = larger(zero - dot(acceleration, group.inward), zero);
+      const Many towards = larger(zero - dot(at.velocity, group.inward), zero);
+      const Many pull = larger(zero - dot(at.acceleration, group.inward), zero);
       const Many reach = (towards + pull * span * half) * span * Many(Real(never_farther));
-      const Many distance = dot(position - group.from, group.inward);
+      const Many distance = dot(at.position - group.from, group.inward);
       for (Bits near = not_above(distance, reach + touch) & one_group; near != 0;
            near &= near - 1) {
         const std::uint32_t i = begin + static_cast<std::uint32_t>(std::countr_zero(near));
@@ -96,9 +103,7 @@ class Noses {
   template <bool even>
   Meeting first_of_straight(const Path<Real>& path, Real until_s) const {
     const BasicSegment<Real>& s = path.segment;
-    const BasicVec2<Many> position = pack_of(s.position);
-    const BasicVec2<Many> velocity = pack_of(s.velocity);
-    const BasicVec2<Many> acceleration = pack_of(s.acceleration);
+    const Start at(s);
     const Many zero{};
     const Many radius(radius_);
     const Many start(s.start_s);
@@ -114,8 +119,8 @@ class Noses {
     for (const Group& group : groups_) {
       const Many own_number = number;
       number = number + Many(Real(1));
-      const Many gap = dot(position - group.from, group.inward) - radius;
-      const Many towards = zero - dot(velocity, group.inward);
+      const Many gap = dot(at.position - group.from, group.inward) - radius;
+      const Many towards = zero - dot(at.velocity, group.inward);
       const Bits comes = ~not_above(towards, zero) & one_group;
       delicate |= comes & (not_above(gap, touch) | not_above(towards, slow));
       // What slows down mostly stops before it comes to a nose.
@@ -123,16 +128,16 @@ class Noses {
       const auto [time, way] = [&]() -> std::pair<Many, BasicVec2<Many>> {
         if constexpr (even) {
           const Many t = gap / towards;
-          return {start + t, velocity * t};
+          return {start + t, at.velocity * t};
         } else {
-          const Many pull = zero - dot(acceleration, group.inward);
+          const Many pull = zero - dot(at.acceleration, group.inward);
           const Many square = towards * towards + (pull + pull) * gap;
           const Many t = (gap + gap) / (towards + root(square));
           return {where_above(start + t, square, zero),
-                  (velocity + acceleration * (t * Many(Real(1) / 2))) * t};
+                  (at.velocity + at.acceleration * (t * Many(Real(1) / 2))) * t};
         }
       }();
-      const Many foot = dot(position + way - group.from, group.along);
+      const Many foot = dot(at.position + way - group.from, group.along);
       Many met = where_above(time, towards, zero);
       met = where_not_above(met, met, end);
       met = where_not_above(met, zero, foot);

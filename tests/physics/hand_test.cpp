@@ -27,6 +27,20 @@ TEST(Hand, HasWhatWasTakenUntilItIsCleared) {
   }
 }
 
+TEST(Hand, CountsAnewBeforeTheCountOverflows) {
+  Hand<double> hand(3, 5);
+  for (int instant = 0; instant < 20; ++instant) {
+    for (const std::uint32_t ball : {2u, 0u}) {
+      EXPECT_FALSE(hand.has(ball)) << instant;
+      hand.take(ball).ball = ball;
+    }
+    EXPECT_EQ(hand.place_of(2), 0u) << instant;
+    EXPECT_EQ(hand.of(0).ball, 0u) << instant;
+    EXPECT_FALSE(hand.has(1)) << instant;
+    hand.clear();
+  }
+}
+
 TEST(Hand, KeepsBodiesWhereTheyAre) {
   constexpr std::uint32_t balls = 1'000;
   Hand<double> hand(balls);
