@@ -41,10 +41,11 @@ class OwnEvents {
 
   /// The next such event of a path; of what comes after `until_s` nothing is said. Else that makes
   /// no difference: what touches a nose is met at once, or not, whenever it is asked.
-  Appointment<Real> next(const Path<Real>& path, Real until_s = never<Real>) const {
+  template <class Mover>
+  Appointment<Real> next(const Mover& path, Real until_s = never<Real>) const {
     Appointment<Real> first;
     if (path.end_s < never<Real>) first = {path.end_s, Due::phase_end, 0};
-    if (is_still(path.segment.phase)) return first;
+    if (stays(path)) return first;
     if (stays_inside(path, smaller(until_s, first.time_s))) return first;
     if (!main_noses_.empty() && laws_.is_inside(path.segment.position)) {
       const Real leaves = walls_.first(path, first.time_s).time_s;
@@ -59,9 +60,10 @@ class OwnEvents {
   static constexpr std::size_t main_noses = 6;
 
   /// Whether the ball of a path certainly comes to no rail by `until_s`.
-  bool stays_inside(const Path<Real>& path, Real until_s) const {
+  template <class Mover>
+  bool stays_inside(const Mover& path, Real until_s) const {
     if (!laws_.inside) return false;
-    const BasicSegment<Real>& s = path.segment;
+    const auto& s = path.segment;
     const Real span = until_s - s.start_s;
     const Real gained =
         path.curved ? (magnitude(s.acceleration.x) + magnitude(s.acceleration.y)) * span / 2 : 0;
@@ -72,13 +74,15 @@ class OwnEvents {
                            reach + touch_gap_bound(2 * coordinate, 2 * path.speed, s.start_s));
   }
 
-  static Appointment<Real> first_nose(const Path<Real>& path, const Noses<Real>& noses,
+  template <class Mover>
+  static Appointment<Real> first_nose(const Mover& path, const Noses<Real>& noses,
                                       const Appointment<Real>& first) {
     const auto [time_s, nose] = noses.first(path, first.time_s);
     return time_s < first.time_s ? Appointment<Real>{time_s, Due::cushion, nose} : first;
   }
 
-  Appointment<Real> first_circle(const Path<Real>& path, Appointment<Real> first) const {
+  template <class Mover>
+  Appointment<Real> first_circle(const Mover& path, Appointment<Real> first) const {
     if (plain_engine) return first;
     for (std::uint32_t i = 0; i < laws_.arcs.size(); ++i) {
       const Arc<Real>& arc = laws_.arcs[i];
@@ -95,9 +99,9 @@ class OwnEvents {
     return first;
   }
 
-  bool stays_away(const Path<Real>& path, const Path<Real>& centre, Real distance,
-                  Real until_s) const {
-    const BasicSegment<Real>& s = path.segment;
+  template <class Mover>
+  bool stays_away(const Mover& path, const Path<Real>& centre, Real distance, Real until_s) const {
+    const auto& s = path.segment;
     const Real span = smaller(until_s - s.start_s, Real(longest_span_s<Real>));
     return PairDetector<Real>(distance, top_speed_, laws_.finder)
                .separation(centre.segment.position - s.position, -s.velocity, -s.acceleration,

@@ -20,6 +20,7 @@
 #include "common/physics/courses.hpp"
 #include "common/physics/entry.hpp"
 #include "common/physics/event_heap.hpp"
+#include "common/physics/fetcher.hpp"
 
 namespace breakshot::physics {
 
@@ -34,11 +35,25 @@ class CellCalendar {
         straight_(!laws.cloth.slows()),
         cells_(balls, laws.diameter),
         heap_(balls),
-        paths_(balls),
         courses_(balls, detector_, straight_),
-        entries_(balls) {}
+        entries_(balls),
+        spins_(laws.cloth.spins() ? balls : 0),
+        fetcher_(heap_, cells_, courses_, entries_) {}
 
-  const Path<Real>& path(std::size_t ball) const { return paths_[ball]; }
+  Path<Real> path(std::size_t ball) const {
+    const Course<Real>& c = courses_[ball];
+    const Entry<Real>& e = entries_[ball];
+    Path<Real> path;
+    path.segment = {e.id, e.phase, c.start_s, c.position, c.velocity, c.acceleration, {}, {}};
+    path.speed = e.speed;
+    path.end_s = e.end_s;
+    path.curved = e.curved;
+    if (!spins_.empty()) {
+      path.segment.spin = spins_[ball].at_start;
+      path.segment.spin_change = spins_[ball].change;
+    }
+    return path;
+  }
   /// Faster than any ball can become, m/s.
   Real top_speed() const { return top_speed_; }
 
@@ -98,10 +113,10 @@ class CellCalendar {
   template <class OnNear>
   void each_near(std::uint32_t ball, Real reach, const OnNear& near) {
     if (reach < cells_.reach()) {
-      cells_.find_beside(ball, found_);
+      cells_.find_beside(entries_[ball].place, found_);
     } else {
       // Only where rounding is greater than a ball.
-      found_.gather_all(paths_.size());
+      found_.gather_all(entries_.size());
     }
     courses_.find_within(ball, reach, now_s_, found_, likely_);
     for (const std::uint32_t other : likely_) {
@@ -112,14 +127,20 @@ class CellCalendar {
   /// Gives a ball a new path, which starts at this instant. update() must follow before anything is
   /// asked again.
   void set(std::uint32_t ball, const Path<Real>& path) {
-    const Phase before = paths_[ball].segment.phase;
+    Entry<Real>& entry = entries_[ball];
+    const Phase before = entry.phase;
     const Phase after = path.segment.phase;
     moving_ = moving_ + !is_still(after) - !is_still(before);
     spinning_ = spinning_ + (after == Phase::spin) - (before == Phase::spin);
-    if (built_ && after == Phase::pocketed && before != Phase::pocketed) cells_.remove(ball);
-    copy_in_parts(path, paths_[ball]);
+    if (built_ && after == Phase::pocketed && before != Phase::pocketed) {
+      cells_.remove(ball, entry.place);
+    }
     courses_.set(ball, path.segment);
-    ++entries_[ball].paths;
+    entry.set(path);
+    if (!spins_.empty()) {
+      copy_in_parts(path.segment.spin, spins_[ball].at_start);
+      copy_in_parts(path.segment.spin_change, spins_[ball].change);
+    }
     changed_.push_back(ball);
   }
 
@@ -132,7 +153,7 @@ class CellCalendar {
       // Of two that have just met, the first has asked about the second.
       const std::uint32_t met = changed_.size() == 2 ? changed_.front() : none;
       for (const std::uint32_t ball : changed_) {
-        if (paths_[ball].segment.phase != Phase::pocketed) {
+        if (entries_[ball].phase != Phase::pocketed) {
           meet_beside(ball, met);
           plan_crossing(ball);
         } else {
@@ -152,6 +173,10 @@ class CellCalendar {
 
  private:
   using Vec = BasicVec2<Real>;
+  struct Spin {
+    BasicVec3<Real> at_start;
+    BasicVec3<Real> change;
+  };
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   /// With so many crossings for every change of a path and every ball, the cells are too small.
   static constexpr std::size_t crossings_a_change = 16;
@@ -164,7 +189,7 @@ class CellCalendar {
   }
 
   bool crosses(std::uint32_t ball) const {
-    return entries_[ball].crossing_s <= courses_[ball].until_s;
+    return physics::crosses(entries_[ball], courses_[ball]);
   }
   bool is_internal(std::uint32_t ball) const {
     const Entry<Real>& entry = entries_[ball];
@@ -211,7 +236,7 @@ class CellCalendar {
 
   /// Takes down what comes to the ball alone, if that is not after `until_s`.
   void foresee(std::uint32_t ball, Real until_s) {
-    const Appointment<Real> own = own_events_.next(paths_[ball], until_s);
+    const Appointment<Real> own = own_events_.next(mover(ball), until_s);
     if (own.due != Due::nothing && own.time_s <= until_s) {
       note(ball, own.time_s, own.due, own.with);
     }
@@ -223,58 +248,23 @@ class CellCalendar {
                             ? entry.crossing_s
                             : smaller(courses_[ball].until_s, entry.crossing_s);
     if (fetches_) {
-      heap_.set(ball, time_s,
-                [this](std::size_t others, std::uint32_t next) { fetch(others, next); });
+      heap_.set(ball, time_s, fetcher_);
     } else {
       heap_.set(ball, time_s, [](std::size_t, std::uint32_t) {});
     }
   }
 
-  /// Has memory fetched that the next turn of `ball` asks for, step by step as it comes nearer:
-  /// `others` are about to have theirs before it. First what is the ball's own, then what that
-  /// names, then the neighbours. Of many balls most of an event is else waiting for memory.
-  void fetch(std::size_t others, std::uint32_t ball) {
-    constexpr std::size_t near = EventHeap<Real>::branches;
-    if (others > near * near * near) return;
-    if (others > near * near) {
-      fetch_own(ball);
-    } else if (others > near) {
-      heap_.fetch(ball);
-      cells_.fetch_beside(ball);
-      if (crosses(ball)) return;
-      fetch_path(ball);
-      if (entries_[ball].due != Due::ball) return;
-      const std::uint32_t with = entries_[ball].with;
-      heap_.fetch(with);
-      fetch_own(with);
-      fetch_path(with);
-    } else if (others > 1) {
-      if (entries_[ball].due == Due::ball) cells_.fetch_beside(entries_[ball].with);
-      cells_.find_beside(ball, found_to_fetch_);
-      for (const std::uint32_t other : found_to_fetch_) courses_.fetch(other);
-    }
-  }
-  void fetch_own(std::uint32_t ball) const {
-    __builtin_prefetch(&entries_[ball]);
-    courses_.fetch(ball);
-    cells_.fetch_place(ball);
-  }
-  void fetch_path(std::uint32_t ball) const {
-    __builtin_prefetch(&paths_[ball]);
-    __builtin_prefetch(&paths_[ball].segment.spin);
-  }
-
   void cross(std::uint32_t ball) {
-    const Side side = entries_[ball].side;
-    cells_.cross(ball, side);
+    Entry<Real>& entry = entries_[ball];
+    cells_.find_ahead(entry.place, entry.side, found_);
+    cells_.cross(ball, entry.place, entry.side);
     ++crossings_;
     const Real doubt = 8 * std::numeric_limits<Real>::epsilon() * now_s_ * top_speed_;
-    if (crossings_ > crossings_a_change * (paths_.size() + changes_) ||
+    if (crossings_ > crossings_a_change * (entries_.size() + changes_) ||
         !cells_.resolves(position_at(courses_[ball], now_s_), doubt)) {
       build(2 * cells_.side());
       return;
     }
-    cells_.find_ahead(ball, side, found_);
     agree_with_partners(ball, find_partners(ball, none));
     give_back_turns();
     plan_crossing(ball);
@@ -283,8 +273,8 @@ class CellCalendar {
 
   void plan_crossing(std::uint32_t ball) {
     const Course<Real>& m = courses_[ball];
-    const Crossing<Real> next =
-        cells_.crossing(ball, position_at(m, now_s_), velocity_at(m, now_s_), m.acceleration);
+    const Crossing<Real> next = cells_.crossing(entries_[ball].place, position_at(m, now_s_),
+                                                velocity_at(m, now_s_), m.acceleration);
     entries_[ball].crossing_s = now_s_ + next.after_s;
     entries_[ball].side = next.side;
   }
@@ -292,14 +282,16 @@ class CellCalendar {
   /// Cells round the balls where they are now; appointments stay.
   void build(Real least_side) {
     built_ = true;
-    fetches_ = paths_.size() > most_balls_at_hand;
+    fetches_ = entries_.size() > most_balls_at_hand;
     crossings_ = changes_ = 0;
     const auto present = [this](std::uint32_t ball) {
-      return paths_[ball].segment.phase != Phase::pocketed;
+      return entries_[ball].phase != Phase::pocketed;
     };
-    cells_.build(least_side, present,
-                 [this](std::uint32_t ball) { return position_at(courses_[ball], now_s_); });
-    for (std::uint32_t ball = 0; ball < paths_.size(); ++ball) {
+    cells_.build(
+        least_side, present,
+        [this](std::uint32_t ball) { return position_at(courses_[ball], now_s_); },
+        [this](std::uint32_t ball) -> Place& { return entries_[ball].place; });
+    for (std::uint32_t ball = 0; ball < entries_.size(); ++ball) {
       if (!present(ball)) continue;
       meet_beside(ball, none);
       plan_crossing(ball);
@@ -309,7 +301,7 @@ class CellCalendar {
 
   /// The next event of a ball of which nothing is known, or only its meeting with `met`.
   void meet_beside(std::uint32_t ball, std::uint32_t met) {
-    cells_.find_beside(ball, found_);
+    cells_.find_beside(entries_[ball].place, found_);
     const Real first = find_partners(ball, met);
     foresee(ball, first);
     if (!(courses_[ball].until_s < first)) agree_with_partners(ball, first);
@@ -320,7 +312,7 @@ class CellCalendar {
   /// if all that comes after another event of the ball. What would come after another event of
   /// either need not be known: then they are asked again.
   Real find_partners(std::uint32_t ball, std::uint32_t met) {
-    Real first = smaller(courses_[ball].until_s, paths_[ball].end_s);
+    Real first = smaller(courses_[ball].until_s, entries_[ball].end_s);
     partners_.clear();
     courses_.find_likely(ball, first, now_s_, found_, likely_);
     for (const std::uint32_t other : likely_) {
@@ -336,9 +328,14 @@ class CellCalendar {
   }
 
   Real meeting_time(std::uint32_t lower, std::uint32_t higher, Real until_s) const {
-    return straight_
-               ? detector_.time(even_mover(courses_[lower]), even_mover(courses_[higher]), until_s)
-               : detector_.time(paths_[lower], paths_[higher], until_s);
+    return detector_.time(mover(lower), mover(higher), until_s);
+  }
+
+  CoursePath<Real> mover(std::uint32_t ball) const {
+    const Course<Real>& course = courses_[ball];
+    if (straight_) return even_path(course);
+    const Entry<Real>& entry = entries_[ball];
+    return {course, entry.speed, entry.end_s, entry.curved, is_still(entry.phase)};
   }
 
   /// give_back_turns() must follow.
@@ -373,9 +370,10 @@ class CellCalendar {
   bool straight_;  ///< paths, one as fast as at its start
   Cells<Real> cells_;
   EventHeap<Real> heap_;
-  std::vector<Path<Real>> paths_;
   Courses<Real> courses_;
   std::vector<Entry<Real>> entries_;
+  std::vector<Spin> spins_;  ///< of their paths, where balls have any
+  Fetcher<Real> fetcher_;
   Real now_s_{};
   bool built_ = false;
   bool fetches_ = false;
@@ -389,7 +387,6 @@ class CellCalendar {
   std::vector<std::uint32_t> left_;  ///< that waited for a ball which has another event now
   Gathered found_;
   Gathered likely_;
-  Gathered found_to_fetch_;
   std::vector<std::uint32_t> partners_;  ///< all that `ball` meets at one time
 };
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "common/physics/detect.hpp"
+#include "common/physics/fetch_memory.hpp"
 #include "common/physics/gathered.hpp"
 
 namespace breakshot::physics {
@@ -26,21 +27,36 @@ struct Crossing {
   Side side = Side::right;
 };
 
+/// The cell that a ball is in.
+struct Place {
+  std::int64_t column = 0;
+  std::int64_t row = 0;
+
+  /// The cell beyond a side.
+  constexpr Place beyond(Side side) const {
+    return {column + (side == Side::right) - (side == Side::left),
+            row + (side == Side::up) - (side == Side::down)};
+  }
+};
+
+/// Where each ball is, is kept by who asks, beside what else of it is needed then.
 template <class Real>
 class Cells {
  public:
   using Vec = BasicVec2<Real>;
 
-  Cells(std::size_t balls, Real diameter) : diameter_(diameter), at_(balls), next_(balls, none) {}
+  Cells(std::size_t balls, Real diameter) : diameter_(diameter), next_(balls, none) {}
 
-  /// Cells that hold one or two balls each and are no smaller than `least_side`, with all balls
-  /// where `position(ball)` is; those for which `present(ball)` is false are in none.
-  template <class Present, class Position>
-  void build(Real least_side, const Present& present, const Position& position) {
+  /// Cells that hold a ball or none, most of them, and are no smaller than `least_side`, with all
+  /// balls where `position(ball)` is, which sets `place(ball)`; those for which `present(ball)` is
+  /// false are in none.
+  template <class Present, class Position, class PlaceOf>
+  void build(Real least_side, const Present& present, const Position& position,
+             const PlaceOf& place) {
     std::size_t count = 0;
     Vec low{never<Real>, never<Real>};
     Vec high{-never<Real>, -never<Real>};
-    for (std::uint32_t ball = 0; ball < at_.size(); ++ball) {
+    for (std::uint32_t ball = 0; ball < next_.size(); ++ball) {
       if (!present(ball)) continue;
       const Vec p = position(ball);
       low = {smaller(low.x, p.x), smaller(low.y, p.y)};
@@ -59,8 +75,10 @@ class Cells {
     for (side_ = larger(least, even);; side_ = larger(least, side_ / 2)) {
       slack_ = side_ / 16;
       lay_out(extent, count);
-      for (std::uint32_t ball = 0; ball < at_.size(); ++ball) {
-        if (present(ball)) put(ball, position(ball));
+      for (std::uint32_t ball = 0; ball < next_.size(); ++ball) {
+        if (!present(ball)) continue;
+        place(ball) = place_at(position(ball));
+        link(ball, place(ball));
       }
       if (side_ == least || crowd() <= Real(most_crowded) * Real(count)) return;
     }
@@ -73,8 +91,8 @@ class Cells {
   /// Lists of balls in memory.
   std::size_t lists() const { return cells_.size(); }
 
-  void remove(std::uint32_t ball) {
-    Cell& cell = cells_[at_[ball].slot];
+  void remove(std::uint32_t ball, const Place& at) {
+    Cell& cell = cells_[slot_of(at.column, at.row)];
     const std::uint32_t count = cell.count--;
     if (cell.balls[0] != ball && cell.balls[1] != ball) {
       std::uint32_t* link = &cell.balls[2];
@@ -87,10 +105,8 @@ class Cells {
     if (count > 3) cell.balls[2] = next_[cell.balls[2]];
   }
 
-  /// Sets `found` to all balls in the cell of `ball` and in those round it, itself among them, and
-  /// some that are elsewhere.
-  void find_beside(std::uint32_t ball, Gathered& found) const {
-    const Place& at = at_[ball];
+  /// Sets `found` to all balls in a cell and in those round it, and some that are elsewhere.
+  void find_beside(const Place& at, Gathered& found) const {
     std::array<const Cell*, 9> block;
     for (std::int64_t k = 0; k < 9; ++k) {
       block[static_cast<std::size_t>(k)] =
@@ -99,44 +115,36 @@ class Cells {
     gather(block, found);
   }
 
-  /// The same for the three cells that became neighbours when `ball` crossed over `side`.
-  void find_ahead(std::uint32_t ball, Side side, Gathered& found) const {
-    const Place& at = at_[ball];
-    const bool beside = side == Side::right || side == Side::left;
-    const std::int64_t ahead = side == Side::right || side == Side::up ? 1 : -1;
-    std::array<const Cell*, 3> line;
-    for (std::int64_t k = -1; k <= 1; ++k) {
-      line[static_cast<std::size_t>(k + 1)] =
-          &cells_[slot_of(at.column + (beside ? ahead : k), at.row + (beside ? k : ahead))];
-    }
-    gather(line, found);
+  /// The same for the three cells beyond one side of those.
+  void find_ahead(const Place& at, Side side, Gathered& found) const {
+    gather(cells_ahead(at, side), found);
   }
 
-  /// Have memory fetched: that by which a ball is found, and, once that is there, what
-  /// find_beside() reads of it.
-  void fetch_place(std::uint32_t ball) const { __builtin_prefetch(&at_[ball]); }
-  void fetch_beside(std::uint32_t ball) const {
-    const Place& at = at_[ball];
+  /// Have memory fetched that find_beside(), or cross() and find_ahead(), read.
+  void fetch_beside(const Place& at) const {
     for (std::int64_t row = at.row - 1; row <= at.row + 1; ++row) {
-      __builtin_prefetch(&cells_[slot_of(at.column - 1, row)]);
-      __builtin_prefetch(&cells_[slot_of(at.column + 1, row)]);
+      fetch_memory(&cells_[slot_of(at.column - 1, row)]);
+      fetch_memory(&cells_[slot_of(at.column + 1, row)]);
     }
+  }
+  void fetch_ahead(const Place& at, Side side) const {
+    const Place next = at.beyond(side);
+    fetch_memory(&cells_[slot_of(at.column, at.row)]);
+    fetch_memory(&cells_[slot_of(next.column, next.row)]);
+    for (const Cell* const cell : cells_ahead(at, side)) fetch_memory(cell);
   }
 
   /// Moves a ball to the next cell.
-  void cross(std::uint32_t ball, Side side) {
-    remove(ball);
-    Place& at = at_[ball];
-    at.column += (side == Side::right) - (side == Side::left);
-    at.row += (side == Side::up) - (side == Side::down);
-    link(ball);
+  void cross(std::uint32_t ball, Place& at, Side side) {
+    remove(ball, at);
+    at = at.beyond(side);
+    link(ball, at);
   }
 
-  /// When a ball that is at `p` now, moves at `v` and accelerates by `a` leaves its cell. Cells
-  /// overlap a little: a ball that has just crossed is well inside the next one, so that rounding
-  /// cannot send it to and fro.
-  Crossing<Real> crossing(std::uint32_t ball, Vec p, Vec v, Vec a) const {
-    const Place& at = at_[ball];
+  /// When a ball leaves its cell, which is `at`; it is at `p` now, moves at `v` and accelerates by
+  /// `a`. Cells overlap a little: a ball that has just crossed is well inside the next one, so that
+  /// rounding cannot send it to and fro.
+  Crossing<Real> crossing(const Place& at, Vec p, Vec v, Vec a) const {
     const Real x = p.x - (origin_.x + Real(at.column) * side_);
     const Real y = p.y - (origin_.y + Real(at.row) * side_);
     if (a == Vec{}) {
@@ -167,18 +175,12 @@ class Cells {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   /// A side of 5/4 diameters, less what cells overlap, is more than a diameter.
   static constexpr double least_diameters = 1.25;
-  static constexpr double balls_a_cell = 0.7;
+  static constexpr double balls_a_cell = 0.5;
   /// Balls that share a cell with a ball, itself among them: evenly spread ones would be 2.5.
   static constexpr double most_crowded = 6;
   /// Coordinates up to so many sides are known to a small part of a side.
   static constexpr std::uint64_t reliable_sides =
       std::uint64_t{1} << std::min(std::numeric_limits<Real>::digits - 13, 48);
-
-  struct Place {
-    std::int64_t column = 0;
-    std::int64_t row = 0;
-    std::uint32_t slot = 0;
-  };
 
   /// The balls of a cell: two, and the first of a chain of the others. Hardly any cell has more
   /// than three, so that they can be gathered without a branch; `count` comes last.
@@ -245,17 +247,26 @@ class Cells {
                                       (static_cast<std::uint64_t>(column) & column_mask_));
   }
 
-  void put(std::uint32_t ball, Vec position) {
-    using std::floor;
-    at_[ball].column = static_cast<std::int64_t>(floor((position.x - origin_.x) / side_));
-    at_[ball].row = static_cast<std::int64_t>(floor((position.y - origin_.y) / side_));
-    link(ball);
+  /// The three cells that become neighbours when a ball crosses over `side`.
+  std::array<const Cell*, 3> cells_ahead(const Place& at, Side side) const {
+    const bool beside = side == Side::right || side == Side::left;
+    const Place middle = at.beyond(side).beyond(side);
+    std::array<const Cell*, 3> line;
+    for (std::int64_t k = -1; k <= 1; ++k) {
+      line[static_cast<std::size_t>(k + 1)] =
+          &cells_[slot_of(middle.column + (beside ? 0 : k), middle.row + (beside ? k : 0))];
+    }
+    return line;
   }
 
-  void link(std::uint32_t ball) {
-    Place& at = at_[ball];
-    at.slot = slot_of(at.column, at.row);
-    Cell& cell = cells_[at.slot];
+  Place place_at(Vec position) const {
+    using std::floor;
+    return {static_cast<std::int64_t>(floor((position.x - origin_.x) / side_)),
+            static_cast<std::int64_t>(floor((position.y - origin_.y) / side_))};
+  }
+
+  void link(std::uint32_t ball, const Place& at) {
+    Cell& cell = cells_[slot_of(at.column, at.row)];
     if (cell.count < 2) {
       cell.balls[cell.count] = ball;
     } else {
@@ -305,7 +316,6 @@ class Cells {
   std::uint64_t column_mask_ = 0;
   std::uint64_t row_mask_ = 0;
   std::vector<Cell> cells_;
-  std::vector<Place> at_;
   std::vector<std::uint32_t> next_;  ///< in the chain of a cell
 };
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/physics/fetch_memory.hpp"
 #include "common/physics/gathered.hpp"
 #include "common/physics/pair_detector.hpp"
 
@@ -36,23 +37,26 @@ BasicVec2<Real> velocity_at(const Course<Real>& m, Real time_s) {
   return {m.velocity.x + m.acceleration.x * dt, m.velocity.y + m.acceleration.y * dt};
 }
 
-/// The path of a ball that never slows down, as contact_time() asks for it: its course says all.
+/// A path as detection asks for it, without a copy of its course.
 template <class Real>
-struct EvenMover {
+struct CoursePath {
   const Course<Real>& segment;
   Real speed;
-  Real end_s = never<Real>;
-  bool curved = false;
+  Real end_s;
+  bool curved;
+  bool still;
 };
 
+/// That of a ball which never slows down: its course says all.
 template <class Real>
-EvenMover<Real> even_mover(const Course<Real>& course) {
-  return {course, length(course.velocity)};
+CoursePath<Real> even_path(const Course<Real>& course) {
+  const Real speed = length(course.velocity);
+  return {course, speed, never<Real>, false, speed == 0};
 }
 
 template <class Real>
-bool stays(const EvenMover<Real>& mover) {
-  return mover.speed == 0;
+bool stays(const CoursePath<Real>& path) {
+  return path.still;
 }
 
 template <class Real>
@@ -76,8 +80,8 @@ class Courses {
   }
   void set_until(std::size_t ball, Real time_s) { courses_[ball].until_s = time_s; }
 
-  /// Have memory fetched.
-  void fetch(std::size_t ball) const { __builtin_prefetch(&courses_[ball]); }
+  /// Has memory fetched.
+  void fetch(std::size_t ball) const { fetch_memory(&courses_[ball]); }
 
   /// Sets `near` to those of `found` whose centres are within `reach` of that of `ball` at `now_s`,
   /// itself among them; the others ascending.

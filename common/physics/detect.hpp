@@ -68,8 +68,8 @@ struct Encounter {
   Real end_s{};  ///< of the earlier phase
 };
 
-template <class Real, class Mover>
-Encounter<Real> encounter(const Mover& a, const Mover& b) {
+template <class Real, class Mover, class Other>
+Encounter<Real> encounter(const Mover& a, const Other& b) {
   Encounter<Real> e;
   e.start_s = larger(a.segment.start_s, b.segment.start_s);
   e.first = position_at(a.segment, e.start_s);
@@ -131,8 +131,8 @@ bool only_approaches(const Relative<Real>& motion, Real distance, Real span, boo
 /// When the balls of two paths next meet: the first event after both have started, within both
 /// phases, or never. Touching and approaching is at once. Of what is certainly after `until_s`
 /// nothing is said; else that makes no difference.
-template <class Real, class Mover>
-Real contact_time(const Mover& a, const Mover& b, Real diameter, EntryFinder finder,
+template <class Real, class Mover, class Other>
+Real contact_time(const Mover& a, const Other& b, Real diameter, EntryFinder finder,
                   Real until_s = never<Real>) {
   using std::sqrt;
   const Encounter<Real> e = encounter<Real>(a, b);
@@ -171,8 +171,7 @@ Real contact_time(const Mover& a, const Mover& b, Real diameter, EntryFinder fin
   if (slowing) {
     // Along a straight decelerating path, t at constant velocity is a distance. The whole stop,
     // at speed / deceleration, covers half of what constant velocity would.
-    const Mover& mover = stays(a) ? b : a;
-    const Real deceleration = length(mover.segment.acceleration);
+    const Real deceleration = length(stays(a) ? b.segment.acceleration : a.segment.acceleration);
     const Real left = 1 - 2 * (deceleration / speed) * t;
     if (!(left > 0)) return never<Real>;
     t = 2 * t / (1 + sqrt(left));
@@ -186,11 +185,11 @@ inline constexpr double never_farther = 1.001;
 /// When the ball of a path next meets a nose, or never if that is not before `until_s`; never too
 /// if it touches, a gap apart that its speed would not close by then. The ball's surface meets the
 /// cushion: its centre meets the line a radius inward, within the cushion's extent.
-template <class Real>
-Real cushion_time(const Path<Real>& path, const Nose<Real>& nose, Real radius, Real top_speed,
+template <class Real, class Mover>
+Real cushion_time(const Mover& path, const Nose<Real>& nose, Real radius, Real top_speed,
                   Real until_s) {
   using std::sqrt;
-  const BasicSegment<Real>& s = path.segment;
+  const auto& s = path.segment;
   const BasicVec2<Real> offset = s.position - nose.from;
   const Real gap = dot(offset, nose.inward) - radius;
   const Real towards = -dot(s.velocity, nose.inward);
@@ -247,15 +246,15 @@ bool faces(const Arc<Real>& arc, BasicVec2<Real> position) {
 }
 
 /// When the ball of a path next meets a rounded nose, or never.
-template <class Real>
-Real arc_time(const Path<Real>& path, const Arc<Real>& arc, EntryFinder finder) {
+template <class Real, class Mover>
+Real arc_time(const Mover& path, const Arc<Real>& arc, EntryFinder finder) {
   const Real t = contact_time(path, arc.centre, arc.distance, finder);
   return t < never<Real> && faces(arc, position_at(path.segment, t)) ? t : never<Real>;
 }
 
 /// When the centre of a path's ball next crosses a hole's edge, or never.
-template <class Real>
-Real drop_time(const Path<Real>& path, const Drop<Real>& drop, EntryFinder finder) {
+template <class Real, class Mover>
+Real drop_time(const Mover& path, const Drop<Real>& drop, EntryFinder finder) {
   return contact_time(path, drop.centre, drop.radius, finder);
 }
 

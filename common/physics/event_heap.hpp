@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/physics/detect.hpp"
+#include "common/physics/fetch_memory.hpp"
 #include "common/physics/pack.hpp"
 
 namespace breakshot::physics {
@@ -54,20 +55,19 @@ class EventHeap {
     return others == 0;
   }
 
-  Real time_of(std::uint32_t ball) const {
-    return levels_.front().times[ball / branches].at(ball % branches);
-  }
+  Real time_of(std::uint32_t ball) const { return levels_.front().at(ball); }
 
   /// Gives a ball another time. Calls `rises(others, next)` for every ball that becomes the first
   /// of a node: it is one of `others` at that height, and its turn comes after no more than about
   /// so many. Who comes first among the others of a node is known before the new time is, so that
   /// of all that is done from the ball to the top little has to wait.
   template <class Rises>
-  void set(std::uint32_t ball, Real time_s, const Rises& rises) {
+  void set(std::uint32_t ball, Real time_s, Rises&& rises) {
     std::size_t place = ball;
     std::uint32_t first = ball;
     const std::uint32_t* first_below = nullptr;
-    for (Level& level : levels_) {
+    for (std::size_t height = 0; height < levels_.size(); ++height) {
+      Level& level = levels_[height];
       const std::size_t node = place / branches;
       Times& times = level.times[node];
       const auto [other_s, other] = times.least_but(place % branches);
@@ -82,7 +82,11 @@ class EventHeap {
       const bool stays = (sooner | (at_once & lower)) != 0;
       first = stays ? first : other_first;
       time_s = smaller(time_s, other_s);
-      if (std::exchange(level.first[node], first) != first) rises(level.times.size(), first);
+      if (std::exchange(level.first[node], first) != first) {
+        rises(level.times.size(), first);
+      } else if (height + 1 < levels_.size() && levels_[height + 1].at(node) == time_s) {
+        return;  // nothing above changes
+      }
       first_below = level.first.data();
       place = node;
     }
@@ -90,9 +94,7 @@ class EventHeap {
   }
 
   /// Has memory fetched that set() reads first.
-  void fetch(std::uint32_t ball) const {
-    __builtin_prefetch(&levels_.front().times[ball / branches]);
-  }
+  void fetch(std::uint32_t ball) const { fetch_memory(&levels_.front().times[ball / branches]); }
 
   /// Calls `found(ball)` for every ball whose appointment is at earliest(), ascending.
   template <class Found>
@@ -151,6 +153,8 @@ class EventHeap {
   };
 
   struct Level {
+    Real at(std::size_t place) const { return times[place / branches].at(place % branches); }
+
     std::vector<Times> times;          ///< of a node's places
     std::vector<std::uint32_t> first;  ///< the ball below a node that comes first
   };

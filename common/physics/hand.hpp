@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,45 +15,80 @@ namespace breakshot::physics {
 template <class Real>
 class Hand {
  public:
+  static constexpr std::uint32_t nowhere = ~std::uint32_t{0};
+
   /// No more than `balls` will be at hand; a Body stays where it is until clear(). Balls that are
   /// taken are counted, from `last_count` on anew: in good time before the count would overflow.
   explicit Hand(std::size_t balls, std::uint32_t last_count = std::uint32_t{1} << 31)
-      : last_count_(last_count), taken_(balls) {
+      : last_count_(last_count),
+        balls_(balls),
+        slots_(std::bit_ceil(std::min(balls, few))),
+        mask_(slots_.size() - 1) {
     bodies_.reserve(balls);
   }
 
   void clear() {
     first_ = next_;
     if (next_ < last_count_) return;
-    std::fill(taken_.begin(), taken_.end(), 0);
+    std::fill(slots_.begin(), slots_.end(), Slot{});
     first_ = next_ = 1;
   }
 
-  bool has(std::uint32_t ball) const { return taken_[ball] >= first_; }
-  /// Where among the bodies a ball is that is at hand.
-  std::uint32_t place_of(std::uint32_t ball) const { return taken_[ball] - first_; }
+  /// Where among the bodies a ball is, or nowhere.
+  std::uint32_t find(std::uint32_t ball) const {
+    const std::uint32_t count = slots_[slot_of(ball)].count;
+    return count >= first_ ? count - first_ : nowhere;
+  }
 
-  /// Takes one more ball to hand, whose body the caller is to fill.
-  Body<Real>& take(std::uint32_t ball) {
+  /// Takes one more ball to hand, whose body at that place the caller is to fill.
+  std::uint32_t take(std::uint32_t ball) {
     const std::uint32_t place = next_ - first_;
-    taken_[ball] = next_++;
     if (bodies_.begin() + place == bodies_.end()) grow();
-    return bodies_[place];
+    slots_[slot_of(ball)] = {next_++, ball};
+    return place;
   }
 
   /// In the order in which they were taken; what comes after them is of earlier instants.
   std::vector<Body<Real>>& bodies() { return bodies_; }
   Body<Real>& operator[](std::uint32_t place) { return bodies_[place]; }
-  const Body<Real>& of(std::uint32_t ball) const { return bodies_[place_of(ball)]; }
+  const Body<Real>& of(std::uint32_t ball) const { return bodies_[find(ball)]; }
 
  private:
-  [[gnu::noinline]] void grow() { bodies_.emplace_back(); }
+  /// With so many slots each ball of a table has its own; of more balls few are at hand at once.
+  static constexpr std::size_t few = 64;
+
+  struct Slot {
+    std::uint32_t count = 0;  ///< of its ball among all that were taken
+    std::uint32_t ball = 0;
+  };
+
+  /// The slot of a ball, or that which it would have: from its own on, the first that is free.
+  std::size_t slot_of(std::uint32_t ball) const {
+    std::size_t slot = ball & mask_;
+    while (slots_[slot].count >= first_ && slots_[slot].ball != ball) slot = (slot + 1) & mask_;
+    return slot;
+  }
+
+  /// One more body than were ever at hand at once, and, unless each ball has its own, two slots for
+  /// each of them.
+  [[gnu::noinline]] void grow() {
+    bodies_.emplace_back();
+    if (slots_.size() >= std::min(balls_, 2 * bodies_.size())) return;
+    std::vector<Slot> narrow(2 * slots_.size());
+    slots_.swap(narrow);
+    mask_ = slots_.size() - 1;
+    for (const Slot& slot : narrow) {
+      if (slot.count >= first_) slots_[slot_of(slot.ball)] = slot;
+    }
+  }
 
   std::uint32_t last_count_;
+  std::size_t balls_;
   std::vector<Body<Real>> bodies_;
-  std::vector<std::uint32_t> taken_;  ///< the count of all that were taken, when a ball last was
-  std::uint32_t next_ = 1;            ///< that count
-  std::uint32_t first_ = 1;           ///< that count at the last clear()
+  std::vector<Slot> slots_;
+  std::size_t mask_;
+  std::uint32_t next_ = 1;   ///< the count of the ball that is taken next
+  std::uint32_t first_ = 1;  ///< that of the first since the last clear()
 };
 
 }  // namespace breakshot::physics

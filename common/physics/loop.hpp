@@ -124,13 +124,14 @@ class Loop {
 
   /// The place among the bodies of a ball, as it is now.
   std::uint32_t at_hand(std::uint32_t ball) {
-    if (!hand_.has(ball)) take_to_hand(ball);
-    return hand_.place_of(ball);
+    const std::uint32_t place = hand_.find(ball);
+    return place == hand_.nowhere ? take_to_hand(ball) : place;
   }
 
-  void take_to_hand(std::uint32_t ball) {
-    const BasicSegment<Real>& segment = calendar_.path(ball).segment;
-    Body<Real>& body = hand_.take(ball);
+  std::uint32_t take_to_hand(std::uint32_t ball) {
+    const auto& segment = calendar_.path(ball).segment;
+    const std::uint32_t place = hand_.take(ball);
+    Body<Real>& body = hand_[place];
     body.id = segment.ball;
     body.ball = ball;
     if (!collisions_.empty()) body.collisions = collisions_[ball];
@@ -139,6 +140,7 @@ class Loop {
     body.position = position_at(segment, now_s_);
     body.velocity = velocity_at(segment, now_s_);
     if (laws_.cloth.spins()) body.spin = spin_at(segment, now_s_);
+    return place;
   }
 
   void finish(Real horizon) {
@@ -163,7 +165,7 @@ class Loop {
     const bool peace = contacts_.settle(hand_.bodies(), time_s, shot_.events,
                                         [this](std::uint32_t ball) { add_touching(ball); });
     for (const std::uint32_t place : contacts_.balls()) touch(place);
-    drop_balls();
+    if (!at_pockets_.empty()) drop_balls();
     end_instant();
     if (!peace || sets_here_ >= max_sets_at_an_instant) {
       stall(peace ? StallCause::instant : StallCause::passes);
@@ -288,10 +290,11 @@ class Loop {
     for (const std::uint32_t ball : touched_) {
       const Body<Real>& body = hand_.of(ball);
       if (!collisions_.empty()) collisions_[ball] = body.collisions;
-      calendar_.set(ball, path_of(body));
+      const Path<Real> path = path_of(body);
+      calendar_.set(ball, path);
+      write(path.segment, written);
     }
     calendar_.update();
-    for (const std::uint32_t ball : touched_) write(calendar_.path(ball).segment, written);
     if (shot_.events.size() > first_event_ + 1) {
       std::sort(shot_.events.begin() + static_cast<std::ptrdiff_t>(first_event_),
                 shot_.events.end(), comes_before<Real>);

@@ -43,7 +43,8 @@ class Noses {
 
   /// The first that the path meets, the lowest of several, as cushion_time() has it; or none if
   /// that is not before `until_s`, which is then its time.
-  Meeting first(const Path<Real>& path, Real until_s) const {
+  template <class Mover>
+  Meeting first(const Mover& path, Real until_s) const {
     if (path.curved) return first_one_by_one(path, until_s);
     return path.segment.acceleration == BasicVec2<Real>{} ? first_of_straight<true>(path, until_s)
                                                           : first_of_straight<false>(path, until_s);
@@ -59,7 +60,8 @@ class Noses {
 
   /// The start of a path, beside a whole group of noses.
   struct Start {
-    explicit Start(const BasicSegment<Real>& s)
+    template <class Segment>
+    explicit Start(const Segment& s)
         : position(pack_of(s.position)),
           velocity(pack_of(s.velocity)),
           acceleration(pack_of(s.acceleration)) {}
@@ -70,8 +72,9 @@ class Noses {
   using Bits = std::uint64_t;
   static constexpr Bits one_group = (Bits{1} << Many::size) - 1;
 
-  Meeting first_one_by_one(const Path<Real>& path, Real until_s) const {
-    const BasicSegment<Real>& s = path.segment;
+  template <class Mover>
+  Meeting first_one_by_one(const Mover& path, Real until_s) const {
+    const auto& s = path.segment;
     const Start at(s);
     const Many zero{};
     // How far a ball is, but for rounding, that touches.
@@ -100,9 +103,9 @@ class Noses {
 
   /// Of straight paths that do not turn back, nor slow down if they are `even`: all at once, by the
   /// operations of cushion_time() or such as give the same bits.
-  template <bool even>
-  Meeting first_of_straight(const Path<Real>& path, Real until_s) const {
-    const BasicSegment<Real>& s = path.segment;
+  template <bool even, class Mover>
+  Meeting first_of_straight(const Mover& path, Real until_s) const {
+    const auto& s = path.segment;
     const Start at(s);
     const Many zero{};
     const Many radius(radius_);

@@ -245,12 +245,18 @@ std::vector<Vec2> scattered(Chance& chance, std::size_t count, double extent) {
   return places;
 }
 
-template <class Present>
-Cells<double> cells_of(const std::vector<Vec2>& places, const Present& present) {
-  Cells<double> cells(places.size(), 0.05715);
-  cells.build(0, present, [&places](std::uint32_t ball) { return places[ball]; });
-  return cells;
-}
+struct Grid {
+  template <class Present>
+  Grid(const std::vector<Vec2>& positions, const Present& present)
+      : cells(positions.size(), 0.05715), at(positions.size()) {
+    cells.build(
+        0, present, [&positions](std::uint32_t ball) { return positions[ball]; },
+        [this](std::uint32_t ball) -> Place& { return at[ball]; });
+  }
+
+  Cells<double> cells;
+  std::vector<Place> at;  ///< of each ball
+};
 
 TEST(Cells, FindEveryBallWithinReach) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
@@ -261,18 +267,18 @@ TEST(Cells, FindEveryBallWithinReach) {
       if (chance.coin()) place = place * 1e-3;  // a crowd, in chains of lists
     }
     const auto present = [](std::uint32_t ball) { return ball % 7 != 6; };
-    Cells<double> cells = cells_of(places, present);
-    if (places.size() > 3) cells.remove(3);
+    Grid grid(places, present);
+    if (places.size() > 3) grid.cells.remove(3, grid.at[3]);
     Gathered found;
     for (std::uint32_t ball = 0; ball < places.size(); ++ball) {
       if (!present(ball) || ball == 3) continue;
-      cells.find_beside(ball, found);
+      grid.cells.find_beside(grid.at[ball], found);
       std::vector<std::uint32_t> all(found.begin(), found.end());
       std::sort(all.begin(), all.end());
       ASSERT_EQ(std::adjacent_find(all.begin(), all.end()), all.end()) << "seed " << seed;
       for (std::uint32_t other = 0; other < places.size(); ++other) {
         if (!present(other) || other == 3) continue;
-        if (length(places[other] - places[ball]) > cells.reach()) continue;
+        if (length(places[other] - places[ball]) > grid.cells.reach()) continue;
         ASSERT_TRUE(std::binary_search(all.begin(), all.end(), other)) << "seed " << seed;
       }
     }
@@ -283,10 +289,10 @@ TEST(Cells, TakeMemoryForBallsAndNotForTheArea) {
   Chance chance(1);
   for (const double extent : {1e-3, 1.0, 1e3, 1e6}) {
     std::vector<Vec2> places = scattered(chance, 1000, extent);
-    EXPECT_LE(cells_of(places, [](std::uint32_t) { return true; }).lists(), 8'000u) << extent;
+    EXPECT_LE(Grid(places, [](std::uint32_t) { return true; }).cells.lists(), 8'000u) << extent;
     // All in one place but for two, so that the cells are small and the area is large.
     for (std::size_t k = 2; k < places.size(); ++k) places[k] = places[k] * (1 / extent);
-    EXPECT_LE(cells_of(places, [](std::uint32_t) { return true; }).lists(), 8'000u) << extent;
+    EXPECT_LE(Grid(places, [](std::uint32_t) { return true; }).cells.lists(), 8'000u) << extent;
   }
 }
 
@@ -295,7 +301,7 @@ TEST(Cells, AreCrossedOneAfterTheOther) {
   Chance chance(9);
   std::vector<Vec2> places = scattered(chance, 1000, 1);
   places[0] = {};
-  Cells<double> cells = cells_of(places, [](std::uint32_t) { return true; });
+  Grid grid(places, [](std::uint32_t) { return true; });
   const Vec2 velocity{0.31, 2.0};
   const Vec2 acceleration{0.01, -0.5};
   double time = 0;
@@ -305,15 +311,17 @@ TEST(Cells, AreCrossedOneAfterTheOther) {
     const Vec2 p = (velocity + acceleration * (time / 2)) * time;
     highest = std::max(highest, p.y);
     const Crossing<double> next =
-        cells.crossing(0, p, velocity + acceleration * time, acceleration);
+        grid.cells.crossing(grid.at[0], p, velocity + acceleration * time, acceleration);
     ASSERT_GE(next.after_s, 0);
     time += next.after_s;
-    cells.cross(0, next.side);
+    grid.cells.cross(0, grid.at[0], next.side);
     ++crossings;
   }
   EXPECT_GT(highest, 3.5);
   // Up and down, and some three metres aside.
-  const auto sides = [&cells](double way) { return static_cast<std::size_t>(way / cells.side()); };
+  const auto sides = [&grid](double way) {
+    return static_cast<std::size_t>(way / grid.cells.side());
+  };
   EXPECT_GE(crossings, sides(2 * highest + 2) - 3);
   EXPECT_LE(crossings, sides(2 * highest + 4) + 3);
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace breakshot::physics {
@@ -11,19 +12,17 @@ namespace {
 TEST(Hand, HasWhatWasTakenUntilItIsCleared) {
   Hand<double> hand(5);
   for (int instant = 0; instant < 3; ++instant) {
-    EXPECT_FALSE(hand.has(4));
-    hand.take(4).ball = 4;
-    hand.take(1).ball = 1;
-    EXPECT_TRUE(hand.has(4));
-    EXPECT_TRUE(hand.has(1));
-    EXPECT_FALSE(hand.has(0));
-    EXPECT_EQ(hand.place_of(4), 0u);
-    EXPECT_EQ(hand.place_of(1), 1u);
+    EXPECT_EQ(hand.find(4), hand.nowhere);
+    hand[hand.take(4)].ball = 4;
+    hand[hand.take(1)].ball = 1;
+    EXPECT_EQ(hand.find(4), 0u);
+    EXPECT_EQ(hand.find(1), 1u);
+    EXPECT_EQ(hand.find(0), hand.nowhere);
     EXPECT_EQ(hand.of(1).ball, 1u);
     EXPECT_EQ(hand[0].ball, 4u);
     hand.clear();
-    EXPECT_FALSE(hand.has(4));
-    EXPECT_FALSE(hand.has(1));
+    EXPECT_EQ(hand.find(4), hand.nowhere);
+    EXPECT_EQ(hand.find(1), hand.nowhere);
   }
 }
 
@@ -31,13 +30,34 @@ TEST(Hand, CountsAnewBeforeTheCountOverflows) {
   Hand<double> hand(3, 5);
   for (int instant = 0; instant < 20; ++instant) {
     for (const std::uint32_t ball : {2u, 0u}) {
-      EXPECT_FALSE(hand.has(ball)) << instant;
-      hand.take(ball).ball = ball;
+      EXPECT_EQ(hand.find(ball), hand.nowhere) << instant;
+      hand[hand.take(ball)].ball = ball;
     }
-    EXPECT_EQ(hand.place_of(2), 0u) << instant;
+    EXPECT_EQ(hand.find(2), 0u) << instant;
     EXPECT_EQ(hand.of(0).ball, 0u) << instant;
-    EXPECT_FALSE(hand.has(1)) << instant;
+    EXPECT_EQ(hand.find(1), hand.nowhere) << instant;
     hand.clear();
+  }
+}
+
+TEST(Hand, TellsBallsApartThatShareASlot) {
+  // As far apart as the first slots are many, and as they are after each time that they become
+  // more; every instant another share of them.
+  constexpr std::uint32_t balls = 4'096;
+  Hand<double> hand(balls);
+  for (const std::uint32_t apart : {64u, 128u, 1'024u, 1u}) {
+    for (std::uint32_t count : {1u, 3u, 64u}) {
+      count = std::min(count, balls / apart);
+      for (std::uint32_t k = 0; k < count; ++k) {
+        EXPECT_EQ(hand.find(k * apart), hand.nowhere);
+        hand[hand.take(k * apart)].ball = k * apart;
+        for (std::uint32_t known = 0; known <= k; ++known) {
+          ASSERT_EQ(hand.find(known * apart), known) << apart << ' ' << k;
+        }
+        ASSERT_EQ(hand.find(k * apart + 1), hand.nowhere) << apart << ' ' << k;
+      }
+      hand.clear();
+    }
   }
 }
 
@@ -45,7 +65,7 @@ TEST(Hand, KeepsBodiesWhereTheyAre) {
   constexpr std::uint32_t balls = 1'000;
   Hand<double> hand(balls);
   std::vector<const Body<double>*> bodies;
-  for (std::uint32_t ball = balls; ball-- > 0;) bodies.push_back(&hand.take(ball));
+  for (std::uint32_t ball = balls; ball-- > 0;) bodies.push_back(&hand[hand.take(ball)]);
   for (std::uint32_t ball = 0; ball < balls; ++ball) {
     EXPECT_EQ(&hand.of(ball), bodies[balls - 1 - ball]);
   }
