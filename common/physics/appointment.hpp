@@ -41,7 +41,7 @@ class OwnEvents {
 
   /// The next such event of a path; of what comes after `until_s` nothing is said. Else that makes
   /// no difference: what touches a nose is met at once, or not, whenever it is asked.
-  template <class Mover>
+  template <PathLike Mover>
   Appointment<Real> next(const Mover& path, Real until_s = never<Real>) const {
     Appointment<Real> first;
     if (path.end_s < never<Real>) first = {path.end_s, Due::phase_end, 0};
@@ -60,7 +60,7 @@ class OwnEvents {
   static constexpr std::size_t main_noses = 6;
 
   /// Whether the ball of a path certainly comes to no rail by `until_s`.
-  template <class Mover>
+  template <PathLike Mover>
   bool stays_inside(const Mover& path, Real until_s) const {
     if (!laws_.inside) return false;
     const auto& s = path.segment;
@@ -74,14 +74,14 @@ class OwnEvents {
                            reach + touch_gap_bound(2 * coordinate, 2 * path.speed, s.start_s));
   }
 
-  template <class Mover>
+  template <PathLike Mover>
   static Appointment<Real> first_nose(const Mover& path, const Noses<Real>& noses,
                                       const Appointment<Real>& first) {
     const auto [time_s, nose] = noses.first(path, first.time_s);
     return time_s < first.time_s ? Appointment<Real>{time_s, Due::cushion, nose} : first;
   }
 
-  template <class Mover>
+  template <PathLike Mover>
   Appointment<Real> first_circle(const Mover& path, Appointment<Real> first) const {
     if (plain_engine) return first;
     for (std::uint32_t i = 0; i < laws_.arcs.size(); ++i) {
@@ -99,7 +99,7 @@ class OwnEvents {
     return first;
   }
 
-  template <class Mover>
+  template <PathLike Mover>
   bool stays_away(const Mover& path, const Path<Real>& centre, Real distance, Real until_s) const {
     const auto& s = path.segment;
     const Real span = smaller(until_s - s.start_s, Real(longest_span_s<Real>));

@@ -40,6 +40,9 @@ class CellCalendar {
         spins_(laws.cloth.spins() ? balls : 0),
         fetcher_(heap_, cells_, courses_, entries_) {}
 
+  CellCalendar(const CellCalendar&) = delete;
+  CellCalendar& operator=(const CellCalendar&) = delete;
+
   Path<Real> path(std::size_t ball) const {
     const Course<Real>& c = courses_[ball];
     const Entry<Real>& e = entries_[ball];

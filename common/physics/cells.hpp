@@ -39,7 +39,7 @@ struct Place {
   }
 };
 
-/// Where each ball is, is kept by who asks, beside what else of it is needed then.
+/// The places of the balls are kept by the caller, beside what else it needs with them.
 template <class Real>
 class Cells {
  public:
@@ -176,7 +176,7 @@ class Cells {
   /// A side of 5/4 diameters, less what cells overlap, is more than a diameter.
   static constexpr double least_diameters = 1.25;
   static constexpr double balls_a_cell = 0.5;
-  /// Balls that share a cell with a ball, itself among them: evenly spread ones would be 2.5.
+  /// Balls that share a cell with a ball, itself among them: evenly spread ones would be 1.5.
   static constexpr double most_crowded = 6;
   /// Coordinates up to so many sides are known to a small part of a side.
   static constexpr std::uint64_t reliable_sides =

@@ -6,6 +6,7 @@
 // paper's: the speed alone says whether a ball slides or rolls, and there is no spin.
 #pragma once
 
+#include <concepts>
 #include <optional>
 
 #include "common/physics/impact.hpp"
@@ -31,6 +32,19 @@ struct Path {
   Real speed{};              ///< at start, m/s
   Real end_s = never<Real>;  ///< of the phase
   bool curved = false;       ///< or speeding up: not a straight path that only slows down
+};
+
+/// What detection asks of a path: a Path is one, and so is what has its parts elsewhere.
+template <class P>
+concept PathLike = requires(const P& path) {
+  path.segment.start_s;
+  path.segment.position;
+  path.segment.velocity;
+  path.segment.acceleration;
+  path.speed;
+  path.end_s;
+  path.curved;
+  { stays(path) } -> std::same_as<bool>;
 };
 
 template <class Real>

@@ -37,7 +37,7 @@ BasicVec2<Real> velocity_at(const Course<Real>& m, Real time_s) {
   return {m.velocity.x + m.acceleration.x * dt, m.velocity.y + m.acceleration.y * dt};
 }
 
-/// A path as detection asks for it, without a copy of its course.
+/// A path whose course is not copied.
 template <class Real>
 struct CoursePath {
   const Course<Real>& segment;

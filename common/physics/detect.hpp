@@ -68,7 +68,7 @@ struct Encounter {
   Real end_s{};  ///< of the earlier phase
 };
 
-template <class Real, class Mover, class Other>
+template <class Real, PathLike Mover, PathLike Other>
 Encounter<Real> encounter(const Mover& a, const Other& b) {
   Encounter<Real> e;
   e.start_s = larger(a.segment.start_s, b.segment.start_s);
@@ -131,7 +131,7 @@ bool only_approaches(const Relative<Real>& motion, Real distance, Real span, boo
 /// When the balls of two paths next meet: the first event after both have started, within both
 /// phases, or never. Touching and approaching is at once. Of what is certainly after `until_s`
 /// nothing is said; else that makes no difference.
-template <class Real, class Mover, class Other>
+template <class Real, PathLike Mover, PathLike Other>
 Real contact_time(const Mover& a, const Other& b, Real diameter, EntryFinder finder,
                   Real until_s = never<Real>) {
   using std::sqrt;
@@ -185,7 +185,7 @@ inline constexpr double never_farther = 1.001;
 /// When the ball of a path next meets a nose, or never if that is not before `until_s`; never too
 /// if it touches, a gap apart that its speed would not close by then. The ball's surface meets the
 /// cushion: its centre meets the line a radius inward, within the cushion's extent.
-template <class Real, class Mover>
+template <class Real, PathLike Mover>
 Real cushion_time(const Mover& path, const Nose<Real>& nose, Real radius, Real top_speed,
                   Real until_s) {
   using std::sqrt;
@@ -246,14 +246,14 @@ bool faces(const Arc<Real>& arc, BasicVec2<Real> position) {
 }
 
 /// When the ball of a path next meets a rounded nose, or never.
-template <class Real, class Mover>
+template <class Real, PathLike Mover>
 Real arc_time(const Mover& path, const Arc<Real>& arc, EntryFinder finder) {
   const Real t = contact_time(path, arc.centre, arc.distance, finder);
   return t < never<Real> && faces(arc, position_at(path.segment, t)) ? t : never<Real>;
 }
 
 /// When the centre of a path's ball next crosses a hole's edge, or never.
-template <class Real, class Mover>
+template <class Real, PathLike Mover>
 Real drop_time(const Mover& path, const Drop<Real>& drop, EntryFinder finder) {
   return contact_time(path, drop.centre, drop.radius, finder);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <bit>
-#include <cstddef>
 #include <cstdint>
 
 #include "common/physics/appointment.hpp"
@@ -44,6 +43,8 @@ struct alignas(std::bit_ceil(8 * sizeof(Real))) Entry {
     curved = path.curved;
   }
 };
+
+static_assert(sizeof(Entry<double>) == 64 && sizeof(Course<double>) == 64);
 
 /// Whether a ball leaves its cell before anything else happens to it.
 template <class Real>

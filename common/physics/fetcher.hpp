@@ -21,9 +21,9 @@ class Fetcher {
           const std::vector<Entry<Real>>& entries)
       : heap_(heap), cells_(cells), courses_(courses), entries_(entries) {}
 
-  /// A ball's turn has come nearer: about `others` are to have theirs before it. Each step reads
-  /// what an earlier one has fetched: first what is the ball's own, then what that names, then the
-  /// neighbours.
+  /// A ball's turn has come nearer: about `others` are to have theirs before it. First what is the
+  /// ball's own is fetched, then what that names, then the neighbours. Each step reads what the
+  /// one before has fetched; few balls come so much nearer at once that it is not there yet.
   void operator()(std::size_t others, std::uint32_t ball) {
     constexpr std::size_t near = EventHeap<Real>::branches;
     if (others > near * near * near) return;

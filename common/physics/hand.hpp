@@ -17,14 +17,15 @@ class Hand {
  public:
   static constexpr std::uint32_t nowhere = ~std::uint32_t{0};
 
-  /// No more than `balls` will be at hand; a Body stays where it is until clear(). Balls that are
-  /// taken are counted, from `last_count` on anew: in good time before the count would overflow.
+  /// Balls are numbered below `balls`; a Body stays where it is until clear(). Balls that are taken
+  /// are counted, from `last_count` on anew: in good time before the count would overflow.
   explicit Hand(std::size_t balls, std::uint32_t last_count = std::uint32_t{1} << 31)
       : last_count_(last_count),
         balls_(balls),
         slots_(std::bit_ceil(std::min(balls, few))),
         mask_(slots_.size() - 1) {
     bodies_.reserve(balls);
+    slots_.reserve(std::bit_ceil(balls));
   }
 
   void clear() {
@@ -40,11 +41,13 @@ class Hand {
     return count >= first_ ? count - first_ : nowhere;
   }
 
-  /// Takes one more ball to hand, whose body at that place the caller is to fill.
+  /// Takes one more ball to hand. The caller is to fill its body, but for the number, at the place
+  /// that is given.
   std::uint32_t take(std::uint32_t ball) {
     const std::uint32_t place = next_ - first_;
     if (bodies_.begin() + place == bodies_.end()) grow();
     slots_[slot_of(ball)] = {next_++, ball};
+    bodies_[place].ball = ball;
     return place;
   }
 
@@ -70,16 +73,17 @@ class Hand {
   }
 
   /// One more body than were ever at hand at once, and, unless each ball has its own, two slots for
-  /// each of them.
+  /// each of them. The memory is there already.
   [[gnu::noinline]] void grow() {
-    bodies_.emplace_back();
-    if (slots_.size() >= std::min(balls_, 2 * bodies_.size())) return;
-    std::vector<Slot> narrow(2 * slots_.size());
-    slots_.swap(narrow);
-    mask_ = slots_.size() - 1;
-    for (const Slot& slot : narrow) {
-      if (slot.count >= first_) slots_[slot_of(slot.ball)] = slot;
+    if (slots_.size() < std::min(balls_, 2 * bodies_.size() + 2)) {
+      slots_.assign(2 * slots_.size(), Slot{});
+      mask_ = slots_.size() - 1;
+      for (std::uint32_t place = 0; place < bodies_.size(); ++place) {
+        const std::uint32_t ball = bodies_[place].ball;
+        slots_[slot_of(ball)] = {first_ + place, ball};
+      }
     }
+    bodies_.emplace_back();
   }
 
   std::uint32_t last_count_;

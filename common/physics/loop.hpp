@@ -133,7 +133,6 @@ class Loop {
     const std::uint32_t place = hand_.take(ball);
     Body<Real>& body = hand_[place];
     body.id = segment.ball;
-    body.ball = ball;
     if (!collisions_.empty()) body.collisions = collisions_[ball];
     body.present = segment.phase != Phase::pocketed;
     body.touched = false;

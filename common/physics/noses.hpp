@@ -43,7 +43,7 @@ class Noses {
 
   /// The first that the path meets, the lowest of several, as cushion_time() has it; or none if
   /// that is not before `until_s`, which is then its time.
-  template <class Mover>
+  template <PathLike Mover>
   Meeting first(const Mover& path, Real until_s) const {
     if (path.curved) return first_one_by_one(path, until_s);
     return path.segment.acceleration == BasicVec2<Real>{} ? first_of_straight<true>(path, until_s)
@@ -72,7 +72,7 @@ class Noses {
   using Bits = std::uint64_t;
   static constexpr Bits one_group = (Bits{1} << Many::size) - 1;
 
-  template <class Mover>
+  template <PathLike Mover>
   Meeting first_one_by_one(const Mover& path, Real until_s) const {
     const auto& s = path.segment;
     const Start at(s);
@@ -103,7 +103,7 @@ class Noses {
 
   /// Of straight paths that do not turn back, nor slow down if they are `even`: all at once, by the
   /// operations of cushion_time() or such as give the same bits.
-  template <bool even, class Mover>
+  template <bool even, PathLike Mover>
   Meeting first_of_straight(const Mover& path, Real until_s) const {
     const auto& s = path.segment;
     const Start at(s);

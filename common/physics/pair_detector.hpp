@@ -58,7 +58,7 @@ class PairDetector {
   }
 
   /// When the balls of two paths next meet, or never if that is after `until_s`.
-  template <class Mover>
+  template <PathLike Mover>
   Real time(const Mover& a, const Mover& b, Real until_s = never<Real>) const {
     return contact_time(a, b, diameter_, finder_, until_s);
   }
