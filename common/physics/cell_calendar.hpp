@@ -57,6 +57,7 @@ class CellCalendar {
     }
     return path;
   }
+
   /// Faster than any ball can become, m/s.
   Real top_speed() const { return top_speed_; }
 

@@ -12,9 +12,9 @@
 namespace breakshot::physics {
 
 /// Up to this many balls the table calendar is the faster one; the outcome has the same bits.
-/// Nanoseconds an event of table and cells: gases of bench/gas_bench.cpp, 16 discs 333 and 467,
-/// 32 discs 421 and 508, 48 discs 508 and 519, 64 discs 590 and 531; breaks with the full model,
-/// 16 balls 421 and 624, 29 balls 470 and 617, 46 balls 528 and 590, 56 balls 637 and 649.
+/// Nanoseconds an event of table and cells: gases of bench/gas_bench.cpp, 16 discs 322 and 493,
+/// 32 discs 411 and 521, 48 discs 498 and 528, 64 discs 577 and 535; breaks with the full model,
+/// 16 balls 416 and 593, 29 balls 464 and 560, 46 balls 519 and 556, 56 balls 628 and 592.
 inline constexpr std::size_t most_balls_at_a_table = 48;
 
 template <class Real>
